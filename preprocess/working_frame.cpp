@@ -71,10 +71,6 @@ Eigen::Matrix3d covariance_of(const std::vector<glm::dvec3>& positions, const gl
   return sum / static_cast<double>(positions.size());
 }
 
-glm::dvec3 position_in(const WorkingFrame& frame, const glm::dvec3& p) {
-  return (p - frame.origin) * frame.axes;
-}
-
 bool is_left_handed(const WorkingFrame& frame) {
   return glm::determinant(frame.axes) < 0.0;
 }
@@ -149,22 +145,27 @@ WorkingFrame working_frame(const std::vector<glm::dvec3>& positions) {
   return {};
 }
 
+glm::dvec3 to_working_frame(const WorkingFrame& frame, const glm::dvec3& position) {
+  return (position - frame.origin) * frame.axes;
+}
+
 SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side) {
-  side.toward = position_in(frame, side.toward);
+  side.toward = to_working_frame(frame, side.toward);
   side.up = side.up * frame.axes;
   return side;
 }
 
 void to_working_frame(const WorkingFrame& frame, Points& points) {
   if (frame == WorkingFrame{}) return;
-  for (glm::dvec3& p : points.positions) p = glm::round(position_in(frame, p) * kSteps) / kSteps;
+  for (glm::dvec3& p : points.positions)
+    p = glm::round(to_working_frame(frame, p) * kSteps) / kSteps;
   for (glm::vec3& normal : points.normals) normal = glm::dvec3(normal) * frame.axes;
   for (CornerTangents& corners : points.corner_tangents) {
     for (glm::vec4& tangent : corners) tangent = {glm::dvec3(tangent) * frame.axes, tangent.w};
   }
   if (is_left_handed(frame)) reverse_triangles(points);
-  if (points.viewpoint) *points.viewpoint = position_in(frame, *points.viewpoint);
-  for (glm::dvec3& scanner : points.scanners) scanner = position_in(frame, scanner);
+  if (points.viewpoint) *points.viewpoint = to_working_frame(frame, *points.viewpoint);
+  for (glm::dvec3& scanner : points.scanners) scanner = to_working_frame(frame, scanner);
 }
 
 void to_world_frame(const WorkingFrame& frame, std::vector<Patch>& patches) {

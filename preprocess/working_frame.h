@@ -32,6 +32,7 @@ struct WorkingFrame {
 /// world.
 void to_working_frame(const WorkingFrame& frame, Points& points);
 [[nodiscard]] SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side);
+[[nodiscard]] glm::dvec3 to_working_frame(const WorkingFrame& frame, const glm::dvec3& position);
 
 /// Moves patches from a working frame to the world's. They stay right-handed: from a left-handed
 /// frame their rows become columns.

@@ -76,13 +76,17 @@ ConvertOptions to_working_unit(ConvertOptions options, double unit) {
   return options;
 }
 
-void to_world_unit(ConvertResult& result, double unit) {
-  PatchModel& model = result.model;
-  for (Patch& patch : model.patches) {
+void to_world_unit(std::vector<Patch>& patches, double unit) {
+  for (Patch& patch : patches) {
     patch.origin *= unit;
     patch.spacing *= unit;
     patch.height_step *= unit;
   }
+}
+
+void to_world_unit(ConvertResult& result, double unit) {
+  PatchModel& model = result.model;
+  to_world_unit(model.patches, unit);
   model.spacing *= unit;
   model.bounds.min *= unit;
   model.bounds.max *= unit;

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "common/patch.h"
 #include "common/points.h"
 #include "preprocess/convert_options.h"
 
@@ -25,7 +26,9 @@ void to_working_unit(Points& points, double unit);
 /// Returns the options with lengths and positions in working units.
 [[nodiscard]] ConvertOptions to_working_unit(ConvertOptions options, double unit);
 
-/// Converts a result from working units to world ones.
+// From working units to world ones.
+
+void to_world_unit(std::vector<Patch>& patches, double unit);
 void to_world_unit(ConvertResult& result, double unit);
 
 }  // namespace relief

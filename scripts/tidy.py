@@ -31,11 +31,11 @@ NAME = re.compile(r"^(?:template <.*>\n)?(?:(?:struct|class|enum class) (\w+)|us
 def names_of(file):
     """The names that a file may define. One too many costs a group, one too few a second run."""
     text = re.sub(r"//.*", "", file.read_text())
-    return {next(filter(None, match.groups()), "") for match in NAME.finditer(text)}
+    return {next(filter(None, match.groups()), "") for match in NAME.finditer(text)} - {"main"}
 
 
 def flags_of(entry):
-    """The compiler's arguments without the file and what is made of it."""
+    """The compiler's arguments without the file and what is made of it. Those of two words are one."""
     words = shlex.split(entry["command"])
     words = words[[word.endswith("c++") for word in words].index(True) + 1:]
     flags = []
@@ -43,6 +43,8 @@ def flags_of(entry):
         word = words.pop(0)
         if word in ("-o", "-MF", "-MT"):
             words.pop(0)
+        elif word == "-isystem":
+            flags.append(word + words.pop(0))
         elif word not in ("-c", "-MD", entry["file"]):
             flags.append(word)
     return flags
@@ -53,13 +55,25 @@ def config_of(file):
     return next(folder / ".clang-tidy" for folder in file.parents if (folder / ".clang-tidy").exists())
 
 
+def macros_of(flags):
+    return dict(flag[2:].partition("=")[::2] for flag in flags if flag.startswith("-D"))
+
+
 class Group:
-    def __init__(self, flags, config):
-        self.flags, self.config, self.files, self.names = flags, config, [], set()
+    """Files that are checked as one, with the flags of all of them."""
+
+    def __init__(self, config):
+        self.config, self.flags, self.files, self.names = config, [], [], set()
 
     def takes(self, flags, config, names):
-        return (self.flags == flags and self.config == config and len(self.files) < MOST_FILES
-                and not names & self.names)
+        own, others = macros_of(self.flags), macros_of(flags)
+        return (self.config == config and len(self.files) < MOST_FILES and not names & self.names
+                and all(own[name] == others[name] for name in own.keys() & others.keys()))
+
+    def add(self, file, flags, names):
+        self.files.append(file)
+        self.names |= names
+        self.flags += [flag for flag in flags if flag not in self.flags]
 
 
 def make_groups(entries):
@@ -69,10 +83,9 @@ def make_groups(entries):
         flags, config, names = flags_of(entry), config_of(file), names_of(file)
         group = next((g for g in groups if g.takes(flags, config, names)), None)
         if group is None:
-            group = Group(flags, config)
+            group = Group(config)
             groups.append(group)
-        group.files.append(file)
-        group.names |= names
+        group.add(file, flags, names)
     return groups
 
 
@@ -91,8 +104,9 @@ def run_tidy(file, flags):
 def write_unit(files, unit):
     """Writes files as one. Not as includes: the analyzer skips what is not in the main file."""
     lines, sources = [], []
-    for file in files:
-        text = file.read_text().splitlines()
+    for k, file in enumerate(files):
+        # Programs are checked as one, too: their functions `main` get names of their own.
+        text = re.sub(r"^int main\(", f"int main_{k}(", file.read_text(), flags=re.MULTILINE).splitlines()
         lines += text
         sources += [f"{file}:{k + 1}" for k in range(len(text))]
     unit.write_text("\n".join(lines) + "\n")

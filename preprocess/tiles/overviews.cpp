@@ -52,7 +52,8 @@ Status spread_level(const Level& below, TileWriter& tiles, SpreadScan& scan,
     std::vector<Points> points(patches.size());
     tbb::parallel_for(std::size_t{0}, points.size(),
                       [&](std::size_t p) { points[p] = coarse_points(patches[p]); });
-    for (const Points& of_patch : points) {
+    for (Points& of_patch : points) {
+      to_tiles(scan, of_patch);
       scan.read.points += of_patch.size();
       RELIEF_TRY(tiles.add(of_patch));
     }
@@ -69,10 +70,13 @@ Result<SpreadScan> open_level(const TiledModel& model, const Level& below, doubl
   fs::create_directory(folder.folder(), error);
   if (error) return make_error("{}: cannot be made: {}", folder.folder().string(), error.message());
   SpreadScan scan;
+  scan.unit = model.scan.unit;
+  scan.frame = model.scan.frame;
   std::vector<double> load;
   for (const double samples : below.samples) load.push_back(samples / 4.0);
-  scan.layout = coarser_layout(below.scan.layout, load,
-                               kFullerThanCut * static_cast<double>(model.tile_points), spacing);
+  scan.layout =
+      coarser_layout(below.scan.layout, load,
+                     kFullerThanCut * static_cast<double>(model.tile_points), spacing / scan.unit);
   scan.attributes = {true, model.scan.attributes.colours};
   scan.bounds = model.scan.bounds;
   TileWriter tiles(folder.folder(), scan.layout, scan.attributes);

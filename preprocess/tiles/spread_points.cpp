@@ -9,6 +9,7 @@
 #include "common/io/standard_input.h"
 #include "common/neighbours/neighbours.h"
 #include "preprocess/tiles/checkpoint.h"
+#include "preprocess/working_unit.h"
 
 namespace relief {
 namespace {
@@ -62,8 +63,8 @@ std::uint64_t points_for(std::uint64_t memory) {
 
 template <class Scan>
 auto scan_fields(Scan& s) {
-  return std::tie(s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts, s.attributes,
-                  s.bounds, s.viewpoint, s.stance, s.is_airborne, s.read);
+  return std::tie(s.unit, s.frame, s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts,
+                  s.attributes, s.bounds, s.viewpoint, s.stance, s.is_airborne, s.read);
 }
 
 /// The first reading.
@@ -103,7 +104,12 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
   std::vector<std::string> repeated_notes;
   const auto read = read_blocks(
       files, job.folder(), options.read, options.memory_bytes,
-      [&](const Points& block) { return tiles.add(block); }, repeated_notes, progress);
+      [&](const Points& block) {
+        Points moved = block;
+        to_tiles(scan, moved);
+        return tiles.add(moved);
+      },
+      repeated_notes, progress);
   if (!read) return read.error();
   if (read->points != scan.read.points) {
     return make_error(
@@ -115,7 +121,22 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
   return {};
 }
 
+/// Chooses the tiles' unit and frame by a sample of the points, which it moves there.
+void choose_frame(PointSample& sample, SpreadScan& scan) {
+  scan.unit = working_unit(sample.points());
+  sample.transform([&](const glm::dvec3& p) { return p / scan.unit; });
+  scan.frame = working_frame(sample.points());
+  const auto move = [&](const glm::dvec3& p) { return to_working_frame(scan.frame, p); };
+  sample.transform(move);
+  if (scan.viewpoint) scan.viewpoint = move(*scan.viewpoint / scan.unit);
+}
+
 }  // namespace
+
+void to_tiles(const SpreadScan& scan, Points& points) {
+  to_working_unit(points, scan.unit);
+  to_working_frame(scan.frame, points);
+}
 
 Status save_scan(const fs::path& path, const SpreadScan& scan) {
   return save_checkpoint(path, scan_fields(scan));
@@ -146,12 +167,13 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
   }
   RELIEF_TRY(job.clear());
   SpreadScan scan;
-  RELIEF_TRY_ASSIGN(const auto seen, look(files, job, options, scan, progress));
+  RELIEF_TRY_ASSIGN(auto seen, look(files, job, options, scan, progress));
   const std::uint64_t limit = points_for(options.memory_bytes);
   if (scan.read.points <= std::max<std::uint64_t>(limit, kMinSurfacePoints))
     return std::optional<SpreadScan>();
 
-  scan.layout = lay_tiles(seen.sample, tile_points(options), options.grid_spacing);
+  choose_frame(seen.sample, scan);
+  scan.layout = lay_tiles(seen.sample, tile_points(options), options.grid_spacing / scan.unit);
   RELIEF_TRY(spread(files, job, options, scan, progress));
   std::uint64_t largest = 0;
   for (const TileCount& count : scan.counts) largest = std::max(largest, count.own + count.halo);

@@ -11,22 +11,28 @@
 #include "preprocess/tiles/scan_blocks.h"
 #include "preprocess/tiles/tile_files.h"
 #include "preprocess/tiles/tile_job.h"
+#include "preprocess/working_frame.h"
 
 namespace relief {
 
-/// A scan with its points in tile files.
+/// A scan with its points in tile files: in a unit and a frame of their own, as `convert` has them.
 struct SpreadScan {
+  double unit = 1.0;   ///< world units
+  WorkingFrame frame;  ///< in that unit
   TileLayout layout;
   std::vector<TileCount> counts;  ///< one for each tile
   ScanAttributes attributes;
-  Bounds bounds;
-  std::optional<glm::dvec3>
-      viewpoint;             ///< position of the scanner, if the scan's only file gives it
+  Bounds bounds;  ///< world frame
+  /// Position of the scanner, if the scan's only file gives it; as the points.
+  std::optional<glm::dvec3> viewpoint;
   Stance stance;             ///< of the last file
   bool is_airborne = false;  ///< all files
   ScanCounts read;
   std::vector<std::string> notes;
 };
+
+/// Moves points from the world to the tiles' unit and frame.
+void to_tiles(const SpreadScan& scan, Points& points);
 
 /// The checkpoint of a scan. Without the notes, which the first run has reported.
 Status save_scan(const std::filesystem::path& path, const SpreadScan& scan);

@@ -32,7 +32,7 @@ struct TileSurvey {
   /// other tiles read it.
   std::vector<float> cosines;
   std::uint64_t normals_repaired = 0;  ///< of given normals, those of the halo included
-  double area = 0.0;                   ///< covered by a grid's samples, world units squared
+  double area = 0.0;                   ///< covered by a grid's samples, tile units squared
   double radius = 0.0;                 ///< of the own points about the scan's centre
 };
 

@@ -13,6 +13,8 @@
 #include "preprocess/tiles/resample_tile.h"
 #include "preprocess/tiles/survey.h"
 #include "preprocess/tiles/tile_files.h"
+#include "preprocess/working_frame.h"
+#include "preprocess/working_unit.h"
 
 namespace relief {
 namespace {
@@ -25,13 +27,16 @@ class TileConversion {
       : name_(task.name),
         folder_(task.folder),
         scan_(task.scan),
-        options_(task.options),
+        options_(to_working_unit(task.options, scan_.unit)),
         file_options_(task.file_options),
         progress_(progress),
-        centre_((scan_.bounds.min + scan_.bounds.max) / 2.0) {}
+        centre_(to_working_frame(scan_.frame,
+                                 (scan_.bounds.min + scan_.bounds.max) / 2.0 / scan_.unit)) {
+    options_.side = to_working_frame(scan_.frame, options_.side);
+  }
 
   Result<ConvertedTiles> run() {
-    if (const Status good = check_spacing(options_.spacing, scan_.bounds); !good)
+    if (const Status good = check_spacing(options_.spacing * scan_.unit, scan_.bounds); !good)
       return make_error("{}: {}", name_, good.error().message);
     for (const auto step :
          {&TileConversion::survey, &TileConversion::orient, &TileConversion::choose_grid,
@@ -122,7 +127,8 @@ class TileConversion {
     if (!(spacing_ > 0.0))
       return make_error("{}: the points are too scattered to be a surface", name_);
     if (area_ == 0.0) return {};
-    const Status checked = check_spacing(spacing_, area_, points);
+    const Status checked =
+        check_spacing(spacing_ * scan_.unit, area_ * scan_.unit * scan_.unit, points);
     return checked ? checked : make_error("{}: {}", name_, checked.error().message);
   }
 
@@ -164,15 +170,17 @@ class TileConversion {
     RELIEF_TRY(save_report(folder_.part_report(tile), made));
     PatchModel model = extent();
     model.patches = std::move(made.patches);
+    to_world_frame(scan_.frame, model.patches);
+    to_world_unit(model.patches, scan_.unit);
     if (seams_) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
     return write_patch_file(folder_.part(tile), model, file_options_);
   }
 
   [[nodiscard]] PatchModel extent() const {
     PatchModel model;
-    model.spacing = spacing_;
+    model.spacing = spacing_ * scan_.unit;
     model.bounds = scan_.bounds;
-    model.bounding_radius = radius_;
+    model.bounding_radius = radius_ * scan_.unit;
     model.stance = stance_of(options_.up, scan_.stance);
     model.has_colours = scan_.attributes.colours;
     return model;
@@ -186,7 +194,7 @@ class TileConversion {
       all.patch_count += one.patch_count;
       all.points += one.points;
       all.sum_of_squares += one.sum_of_squares;
-      report.error_max = std::max(report.error_max, one.error_max);
+      report.error_max = std::max(report.error_max, one.error_max * scan_.unit);
       report.uncovered_points += one.uncovered;
       report.colour_texels += one.texels.colour_texels;
       report.texels_per_cell = std::max(report.texels_per_cell, one.texels.texels_per_cell);
@@ -199,7 +207,7 @@ class TileConversion {
     report.points = all.points;
     report.normals_repaired = repaired_;
     report.normals_estimated = !scan_.attributes.normals;
-    report.error_rms = std::sqrt(all.sum_of_squares / static_cast<double>(all.points));
+    report.error_rms = std::sqrt(all.sum_of_squares / static_cast<double>(all.points)) * scan_.unit;
     report.psnr_db =
         20.0 * std::log10(glm::distance(scan_.bounds.min, scan_.bounds.max) / report.error_rms);
     result_.nonfinite = scan_.read.nonfinite;
@@ -214,14 +222,14 @@ class TileConversion {
   const std::string& name_;
   const TileFolder& folder_;
   const SpreadScan& scan_;
-  const ConvertOptions& options_;
+  ConvertOptions options_;  // in the tiles' unit and frame, as all that follows
   bool seams_ = options_.seams.value_or(false);
   const PatchFileOptions& file_options_;
   Progress& progress_;
   glm::dvec3 centre_;
 
   SheetTurns turns_;
-  double area_ = 0.0;    // of all regions, world units squared; 0 if the spacing is given
+  double area_ = 0.0;    // of all regions; 0 if the spacing is given
   double radius_ = 0.0;  // of all points about the centre
   std::uint64_t repaired_ = 0;
   std::uint64_t duplicates_ = 0;

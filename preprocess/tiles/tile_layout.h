@@ -11,8 +11,9 @@
 
 namespace relief {
 
-/// A half-open box, infinite where the scan ends, and the width of its halo, world units: with the
-/// points of the halo, own points have the neighbourhoods that they have in the whole scan.
+/// A half-open box, infinite where the scan ends, and the width of its halo, in the points' unit
+/// and frame: with the points of the halo, own points have the neighbourhoods that they have in the
+/// whole scan.
 struct Tile {
   Bounds region;
   double halo = 0.0;
@@ -47,6 +48,12 @@ struct TileLayout {
 class PointSample {
  public:
   void add(glm::dvec3 point);
+
+  /// Replaces each point by move(point).
+  template <class Move>
+  void transform(const Move& move) {
+    for (glm::dvec3& point : points_) point = move(point);
+  }
 
   [[nodiscard]] const std::vector<glm::dvec3>& points() const { return points_; }
   /// Number of points that each represents.

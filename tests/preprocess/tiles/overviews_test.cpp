@@ -92,7 +92,15 @@ TEST(Overviews, ShowTheSurfaceFromItsSide) {
     points.colours.emplace_back(127.0 + 80.0 * p.x, 127.0 + 80.0 * p.y, 127.0 + 200.0 * p.z);
   test::write_ply(folder / "torus.ply", points);
   const PatchTree tree = must_convert(folder / "torus.ply", folder / "torus.relief", small_tiles());
-  for (const std::uint32_t level : {1U, 2U}) {
+  // Margins continue fits beyond the points, farther on the coarser level. Of eight scans with
+  // other jitter the worst lie 0.29 and 0.91 spacings off and face away by a cosine of 0 and -0.35;
+  // a conversion of points that far apart has 0.5 and 0.9 spacings, the wrong side a cosine of -1.
+  struct Limits {
+    std::uint32_t level;
+    double farthest;
+    double least_cosine;
+  };
+  for (const auto [level, farthest, least_cosine] : {Limits{1, 0.5, -0.1}, Limits{2, 1.0, -0.4}}) {
     SCOPED_TRACE(level);
     const PatchModel model = read_level(tree, level);
     ASSERT_FALSE(model.patches.empty());
@@ -106,8 +114,7 @@ TEST(Overviews, ShowTheSurfaceFromItsSide) {
           if (patch.at(i, j) == kHole) continue;
           const glm::dvec3 position = position_of(patch, i, j);
           distances.push_back(std::abs(torus.distance(position)) / spacing);
-          // Two margins of up to 90 degrees; the wrong side would be about -1.
-          EXPECT_GT(glm::dot(patch.axes[2], torus.normal(position)), -0.1);
+          EXPECT_GT(glm::dot(patch.axes[2], torus.normal(position)), least_cosine);
           const glm::u8vec3 colour = patch.colours.texels[std::size_t{j} * patch.width + i];
           shifts.push_back(std::abs(colour.b - 127.0 - 200.0 * position.z) / 200.0 / spacing);
         }
@@ -121,8 +128,7 @@ TEST(Overviews, ShowTheSurfaceFromItsSide) {
     // Means of two by two nodes 0.04 apart lie 0.001 inside a bend of radius 0.4, in spacings of
     // 0.08; a conversion of points that far apart has 0.02 (the first level) to 0.1.
     EXPECT_LT(distances[distances.size() * 99 / 100], 0.05);
-    // Margins continue fits beyond the points (such a conversion: 0.5 and 0.9).
-    EXPECT_LT(distances.back(), 0.5);
+    EXPECT_LT(distances.back(), farthest);
     // Each point of the scan is covered.
     std::size_t bare = 0;
     for (const glm::dvec3& p : points.positions) {
