@@ -192,6 +192,11 @@ void take_known_normals(const std::vector<glm::vec3>& known, LocalFrames& frames
   }
 }
 
+NormalSource source_of_normals(const NormalsReport& report, const CleanScan& clean) {
+  if (!report.estimated) return NormalSource::Points;
+  return clean.normals.empty() ? NormalSource::Fits : NormalSource::FitsAndPoints;
+}
+
 Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& options, double unit,
                                       Progress& progress) {
   ConvertResult result;
@@ -251,7 +256,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
                              .spheres = points.triangles.empty() ? nullptr : &in_time.spheres(),
                              .textured = textured,
                              .is_borderless = in_time.is_borderless(),
-                             .normals_from_points = !normals.estimated || !clean.normals.empty()};
+                             .normals = source_of_normals(normals, clean)};
   RELIEF_TRY_ASSIGN(MeasuredModel made, make_best_model(scan, options, progress));
   result.report.fits = made.fits.fits;
   result.report.fits_replaced = made.fits.replaced;

@@ -27,13 +27,13 @@ Status check_spacing(double spacing, const Bounds& scan) {
 }
 
 ResampleOptions resample_options(const ConvertOptions& options, bool seams, double spacing,
-                                 bool normals_from_points) {
+                                 NormalSource normals) {
   return {.spacing = spacing,
           .height_step = options.height_step,
           .steps_per_spacing = options.steps_per_spacing,
           .overlap_cells = seams ? 1 : options.overlap_cells,
           .colour_scale = static_cast<std::uint32_t>(options.colour_scale),
-          .normals_from_points = normals_from_points,
+          .normals = normals,
           .seams = seams};
 }
 

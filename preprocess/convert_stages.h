@@ -19,7 +19,7 @@ Status check_spacing(double spacing, const Bounds& scan);
 
 /// Returns the options for resampling regions at a given or chosen spacing.
 [[nodiscard]] ResampleOptions resample_options(const ConvertOptions& options, bool seams,
-                                               double spacing, bool normals_from_points);
+                                               double spacing, NormalSource normals);
 
 /// Adds the texel counts of the patches to a report.
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report);

@@ -100,8 +100,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
        .scalars = scan.points.scalars,
        .scalar_infos = scan.scalars,
        .fits = &fits},
-      budget.factors, resample_options(options, seams, spacing, scan.normals_from_points), regions,
-      progress);
+      budget.factors, resample_options(options, seams, spacing, scan.normals), regions, progress);
   std::vector<Patch>& patches = made.model.patches;
   if (progress.cancelled()) return interrupted_error();
   made.fits = fits.sum();

@@ -32,7 +32,7 @@ struct PartitionedScan {
   const TriangleSpheres* spheres = nullptr;  ///< of the mesh; none without triangles
   bool textured = false;                     ///< its triangles have materials
   bool is_borderless = false;                ///< the mesh
-  bool normals_from_points = false;          ///< they are better than those of the fits
+  NormalSource normals = NormalSource::Fits;
 };
 
 struct MeasuredModel {

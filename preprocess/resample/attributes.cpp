@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
 #include <optional>
 
 #include "common/image/srgb.h"
@@ -56,6 +58,21 @@ void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& kno
   }
 }
 
+// Normals of the fit and of the points that are as near to each other are of a smooth surface,
+// whose fit is the better one: 0.1 to 0.4 dB on four models with noise. From twice as far on they
+// are beside a crease, as on fandisk, where the fit alone loses 0.3 to 0.4 dB. Twice these degrees:
+// 0.1 dB either way.
+constexpr float kAgreeingDegrees = 8.0F;
+
+glm::vec3 normal_of(const SurfacePoint& surface, NormalSource source) {
+  if (source == NormalSource::Fits) return surface.fitted_normal;
+  if (source == NormalSource::Points) return surface.given_normal;
+  const float cosine = glm::dot(surface.fitted_normal, surface.given_normal);
+  const float turn = glm::degrees(std::acos(std::clamp(cosine, -1.0F, 1.0F)));
+  const float share = glm::smoothstep(kAgreeingDegrees, 2.0F * kAgreeingDegrees, turn);
+  return glm::normalize(glm::mix(surface.fitted_normal, surface.given_normal, share));
+}
+
 }  // namespace
 
 bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, std::uint32_t a,
@@ -72,13 +89,13 @@ bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, 
 
 AttributeMap<glm::i16vec2> sample_normals(const std::vector<SurfacePoint>& surface,
                                           const std::vector<NodeState>& states,
-                                          const PatchGrid& grid, bool from_points) {
+                                          const PatchGrid& grid, NormalSource source) {
   std::vector<glm::vec3> normals(surface.size(), glm::vec3(0.0F));
   std::vector<std::uint8_t> known(surface.size(), 0);
   for (std::size_t m = 0; m < surface.size(); ++m) {
     if (states[m] == NodeState::Hole) continue;
     known[m] = 1;
-    normals[m] = from_points ? surface[m].given_normal : surface[m].fitted_normal;
+    normals[m] = normal_of(surface[m], source);
   }
   continue_outward(normals, known, grid.width, grid.height);
   AttributeMap<glm::i16vec2> map{grid.width, grid.height, 1, {}};

@@ -8,6 +8,7 @@
 
 #include "common/patch.h"
 #include "preprocess/resample/mls.h"
+#include "preprocess/resample/normal_source.h"
 #include "preprocess/resample/support.h"
 
 namespace relief {
@@ -36,11 +37,10 @@ template <class ValueOf>
 [[nodiscard]] bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid,
                                  std::uint32_t a, std::uint32_t b, std::uint32_t scale);
 
-/// Sets one normal per grid node: the fitted surface's, or the mean of the points' normals. Holes
-/// continue their surroundings.
+/// Sets one normal per grid node. Holes continue their surroundings.
 [[nodiscard]] AttributeMap<glm::i16vec2> sample_normals(const std::vector<SurfacePoint>& surface,
                                                         const std::vector<NodeState>& states,
-                                                        const PatchGrid& grid, bool from_points);
+                                                        const PatchGrid& grid, NormalSource source);
 
 /// Sets a colour map of `scale` texels per grid cell. Colours are interpolated between the points
 /// (ColourInterpolation); where the scan is finer than the texels, they are means of nearby points.

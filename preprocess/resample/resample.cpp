@@ -135,9 +135,9 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
     if (states[m] == NodeState::Hole) continue;
     const auto i = static_cast<std::uint32_t>(m % grid.width);
     const auto j = static_cast<std::uint32_t>(m / grid.width);
-    surface[m] =
-        evaluate_mls(points, supporting, all, grid.x0 + i * grid.spacing,
-                     grid.y0 + j * grid.spacing, grid.spacing, options.normals_from_points);
+    surface[m] = evaluate_mls(points, supporting, all, grid.x0 + i * grid.spacing,
+                              grid.y0 + j * grid.spacing, grid.spacing,
+                              options.normals != NormalSource::Fits);
     fits += {1, surface[m].is_replaced ? 1U : 0U, surface[m].condition};
   }
   if (scan.fits != nullptr) scan.fits->add(fits);
@@ -166,7 +166,7 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
   patch.spacing = grid.spacing;
   patch.axes = points.frame.axes;
   patch.origin = points.frame.origin + points.frame.axes * glm::dvec3(grid.x0, grid.y0, lowest);
-  patch.normals = sample_normals(surface, with_margin, grid, options.normals_from_points);
+  patch.normals = sample_normals(surface, with_margin, grid, options.normals);
   if (!scan.colours.empty()) {
     patch.colours =
         sample_colours(points, supporting, with_margin, grid, scan.colours, options.colour_scale);

@@ -3,6 +3,7 @@
 
 #include "common/patch.h"
 #include "preprocess/convert_options.h"
+#include "preprocess/resample/normal_source.h"
 #include "preprocess/resample/scan_surface.h"
 #include "preprocess/resample/support.h"
 
@@ -13,9 +14,9 @@ struct ResampleOptions {
   double height_step = 0.0;  ///< world units per height index; 0: by steps_per_spacing
   double steps_per_spacing = kUsualStepsPerSpacing;  ///< height indices in a spacing
   int overlap_cells = 1;                             ///< width of the overlap margin
-  std::uint32_t colour_scale = 1;    ///< colour texels per grid cell along each side
-  bool normals_from_points = false;  ///< use the points' normals instead of the fitted surface's
-  bool seams = false;                ///< without a margin but over other tiles, for make_seams()
+  std::uint32_t colour_scale = 1;  ///< colour texels per grid cell along each side
+  NormalSource normals = NormalSource::Fits;
+  bool seams = false;  ///< without a margin but over other tiles, for make_seams()
 };
 
 /// Resamples one region ([Ochotta 2008], section 3.1): support, then heights, then normals and

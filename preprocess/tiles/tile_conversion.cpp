@@ -158,7 +158,8 @@ class TileConversion {
     if (!cosines) return cosines.error();
     QuietProgress quiet(progress_);
     ResampleOptions resampling =
-        resample_options(options_, seams_, spacing_, scan_.attributes.normals);
+        resample_options(options_, seams_, spacing_,
+                         scan_.attributes.normals ? NormalSource::Points : NormalSource::Fits);
     // Where patches that meet reach a tile's border, one cell of margin left pinholes.
     if (resampling.seams) resampling.overlap_cells = 2;
     TilePatches made = resample_tile({.points = std::move(loaded),

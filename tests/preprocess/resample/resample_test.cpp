@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/trigonometric.hpp>
 #include <numeric>
+#include <tuple>
 
 #include "common/octahedral.h"
 #include "preprocess/measure.h"
@@ -367,10 +369,40 @@ TEST(Normals, OfThePointsAreInterpolated) {
   for (const glm::dvec3& p : points.positions) points.normals.emplace_back(p);
   const Partitioned scan(std::move(points));
   ResampleOptions options = options_for(0.04);
-  options.normals_from_points = true;
+  options.normals = NormalSource::Points;
   // Points are 2 degrees apart. The worst nodes are those of the steep rim, beyond the last point
   // that the margin takes (80 degrees), where one cell spans 10 degrees of the sphere.
   EXPECT_LT(worst_deviation(scan.patches(options), test::Sphere{}).angle_degrees, 3.0);
+}
+
+/// The mean angle, in degrees, between the normals of a patch's samples and +Z.
+double mean_lean(const Patch& patch) {
+  double sum = 0.0;
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      const glm::dvec3 n =
+          patch.axes * glm::dvec3(unit_from_snorm16(texel_at(patch.normals, i, j)));
+      sum += glm::degrees(std::acos(std::min(n.z, 1.0)));
+    }
+  }
+  return sum / (patch.width * patch.height);
+}
+
+// A plane whose points' normals lean by the same angle, a few degrees or as beside a crease.
+TEST(Normals, OfFitsAreTakenWherePointsAgree) {
+  for (const auto& [lean, source, expected] : {std::tuple(5.0, NormalSource::Points, 5.0),
+                                               std::tuple(5.0, NormalSource::FitsAndPoints, 0.0),
+                                               std::tuple(30.0, NormalSource::Points, 30.0),
+                                               std::tuple(30.0, NormalSource::FitsAndPoints, 30.0),
+                                               std::tuple(30.0, NormalSource::Fits, 0.0)}) {
+    Points points = test::sample_height_field(1.0, 0.05, [](double, double) { return 0.0; });
+    const double angle = glm::radians(lean);
+    points.normals.assign(points.size(), {std::sin(angle), 0.0, std::cos(angle)});
+    const Partitioned scan(std::move(points));
+    ResampleOptions options = options_for(0.05);
+    options.normals = source;
+    for (const Patch& patch : scan.patches(options)) EXPECT_NEAR(mean_lean(patch), expected, 0.1);
+  }
 }
 
 TEST(Measure, KnowsTheDistanceToABilinearPatch) {
