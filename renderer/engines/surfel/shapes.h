@@ -10,8 +10,8 @@
 
 namespace relief::surfel {
 
-/// Corners about the disc of radius 1, the first on the first axis, and triangles between them, counter-clockwise seen from the
-/// normal's tip.
+/// Corners about the disc of radius 1, the first on the first axis, and triangles between them,
+/// counter-clockwise seen from the normal's tip.
 struct ShapeOutline {
   std::vector<glm::vec2> corners;
   std::vector<std::uint16_t> triangles;  ///< three corners each

@@ -33,8 +33,8 @@ Converted in_tiles(const Points& points, double scale = 1.0, const ConvertOption
   return converted;
 }
 
-// Dividing by a power of two is exact. Tiles were converted in world units: others at 2^40, and at 2^-40
-// the survey did not end.
+// Dividing by a power of two is exact. Tiles were converted in world units: others at 2^40, and at
+// 2^-40 the survey did not end.
 TEST(TilesOfAnySize, HaveTheSamePatches) {
   const Converted as_it_is = in_tiles(large_torus());
   EXPECT_GT(as_it_is.result.tiles, 4U);
