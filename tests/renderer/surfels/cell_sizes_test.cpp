@@ -10,15 +10,15 @@
 namespace relief {
 namespace {
 
-struct Points {
+struct OrientedPoints {
   std::vector<glm::dvec3> positions;
   std::vector<glm::vec3> normals;
 };
 
 /// Two faces of a box that meet at x = 0: a floor with points at half coordinates, and a wall that
 /// is `finer` times as dense along both axes. Points of the floor come first, by x.
-Points edge_of(int finer) {
-  Points points;
+OrientedPoints edge_of(int finer) {
+  OrientedPoints points;
   constexpr int kHalf = 8;
   for (int x = 0; x < kHalf; ++x) {
     for (int y = -kHalf; y < kHalf; ++y) {
@@ -36,7 +36,7 @@ Points edge_of(int finer) {
 }
 
 /// The diameter of the floor's point at (0.5, 0.5).
-double size_at_edge(const Points& points, bool clipped) {
+double size_at_edge(const OrientedPoints& points, bool clipped) {
   Progress silent;
   const auto sizes = find_surfel_sizes(
       points.positions,
@@ -65,7 +65,7 @@ TEST(CellSizes, OfPositionsAloneEndBeforeADenserFace) {
 }
 
 TEST(CellSizes, OfASmoothSurfaceDoNotDependOnNormals) {
-  Points points;
+  OrientedPoints points;
   for (int k = 0; k < 900; ++k) {
     points.positions.emplace_back(k % 30, k / 30, 0.01 * (k % 7));
     points.normals.emplace_back(0.0F, 0.0F, 1.0F);
@@ -80,7 +80,7 @@ TEST(CellSizes, OfASmoothSurfaceDoNotDependOnNormals) {
 TEST(CellSizes, AreFoundWhereNoNeighbourIsOfTheSameSurface) {
   // Each point another direction: a sheet of noise. Cells are those of positions alone, or of the
   // few that agree.
-  Points points;
+  OrientedPoints points;
   for (int k = 0; k < 400; ++k) {
     points.positions.emplace_back(k % 20, k / 20, 0.0);
     const float angle = 2.4F * static_cast<float>(k);

@@ -15,12 +15,12 @@
 namespace relief {
 namespace {
 
-struct Scene {
+struct SurfelScene {
   test::SampledSurface surface;
   std::vector<double> reaches;
   SphereTree tree;
 
-  explicit Scene(test::SampledSurface sampled, double reach = 0.03)
+  explicit SurfelScene(test::SampledSurface sampled, double reach = 0.03)
       : surface(std::move(sampled)), reaches(surface.positions.size(), reach) {
     Progress progress;
     auto built = build_sphere_tree(
@@ -30,8 +30,8 @@ struct Scene {
   }
 };
 
-Scene torus_scene(std::size_t points) {
-  return Scene(test::sample_surface(test::Shape::Torus, test::Sampling::Random, points, 7));
+SurfelScene torus_scene(std::size_t points) {
+  return SurfelScene(test::sample_surface(test::Shape::Torus, test::Sampling::Random, points, 7));
 }
 
 Camera camera_at(glm::dvec3 eye, glm::dvec3 target) {
@@ -62,7 +62,7 @@ void expect_ascending(const std::vector<SurfelRun>& runs) {
 }
 
 TEST(SphereTree, HoldsSurfelsAndNormals) {
-  const Scene scene = torus_scene(5000);
+  const SurfelScene scene = torus_scene(5000);
   const SphereTree& tree = scene.tree;
   std::vector<std::uint32_t> order = tree.order;
   std::ranges::sort(order);
@@ -100,7 +100,7 @@ TEST(SphereTree, HoldsSurfelsAndNormals) {
 }
 
 TEST(SphereTree, CutsLeaveOutOnlyWhatIsNotSeen) {
-  const Scene scene = torus_scene(20000);
+  const SurfelScene scene = torus_scene(20000);
   for (const bool orthographic : {false, true}) {
     Camera camera = camera_at({1.5, -2.0, 1.0}, {0.9, 0.1, 0.0});
     if (orthographic) camera.orthographic_height = 1.2;
@@ -132,7 +132,7 @@ TEST(SphereTree, CutsLeaveOutOnlyWhatIsNotSeen) {
 }
 
 TEST(SphereTree, MeansStandForSmallNodes) {
-  const Scene scene = torus_scene(20000);
+  const SurfelScene scene = torus_scene(20000);
   const Camera camera = camera_at({0, -20, 5}, {0, 0, 0});
   const View view = make_view(camera, 200, 200, 0.01);
   std::uint64_t before = 20001;
@@ -158,7 +158,7 @@ TEST(SphereTree, MeansStandForSmallNodes) {
 }
 
 TEST(SphereTree, NearViewsAreNotDividedInSearchOfMeans) {
-  const Scene scene = torus_scene(20000);
+  const SurfelScene scene = torus_scene(20000);
   const View view = make_view(camera_at({1.5, -2.0, 1.0}, {0.9, 0.1, 0.0}), 320, 240, 0.01);
   // Pixels are some 0.003 wide, and the discs of single surfels 0.06.
   const SphereCut none = cut_sphere_tree(scene.tree, view, {});
@@ -169,7 +169,7 @@ TEST(SphereTree, NearViewsAreNotDividedInSearchOfMeans) {
 }
 
 TEST(SphereTree, WiderConesOfBentSurfelsAreCulledLater) {
-  Scene scene = torus_scene(5000);
+  SurfelScene scene = torus_scene(5000);
   const std::vector<float> spreads(5000, 0.5F);
   Progress progress;
   const auto bent = build_sphere_tree(
@@ -187,7 +187,7 @@ TEST(SphereTree, WiderConesOfBentSurfelsAreCulledLater) {
 }
 
 TEST(SphereTree, MeansOfAttributes) {
-  const Scene scene = torus_scene(1000);
+  const SurfelScene scene = torus_scene(1000);
   std::vector<glm::vec4> colours;
   for (std::size_t k = 0; k < 1000; ++k)
     colours.emplace_back(static_cast<float>(k), 1.0F, 0.0F, 1.0F);
@@ -199,19 +199,19 @@ TEST(SphereTree, MeansOfAttributes) {
 }
 
 TEST(SphereTree, IsBoundedForAnyInput) {
-  const Scene none{test::SampledSurface{}};
+  const SurfelScene none{test::SampledSurface{}};
   EXPECT_TRUE(none.tree.nodes.empty());
   EXPECT_TRUE(cut_sphere_tree(none.tree, make_view(Camera{}, 10, 10, 0.1), {}).surfels.empty());
   test::SampledSurface same;
   same.positions.assign(10000, glm::dvec3(1, 2, 3));
   same.normals.assign(10000, glm::vec3(0, 0, 1));
-  const Scene coincident{same};
+  const SurfelScene coincident{same};
   EXPECT_EQ(coincident.tree.nodes.size(), 1U) << "a leaf that cannot be divided";
   test::SampledSurface nearer;  // each half would hold all but one
   for (int k = 0; k < 20000; ++k) nearer.positions.emplace_back(std::exp2(-0.05 * k), 0.0, 0.0);
   nearer.normals.assign(nearer.positions.size(),
                         glm::vec3(std::numeric_limits<float>::quiet_NaN()));
-  const Scene deep{nearer};
+  const SurfelScene deep{nearer};
   EXPECT_LT(deep.tree.nodes.size(), 20000U);
   for (const SphereNode& node : deep.tree.nodes) {
     ASSERT_EQ(node.cos_angle, -1.0F) << "without normals, seen from all sides";
@@ -220,9 +220,9 @@ TEST(SphereTree, IsBoundedForAnyInput) {
 }
 
 TEST(SphereTree, DoesNotDependOnThreads) {
-  const Scene many = torus_scene(20000);
+  const SurfelScene many = torus_scene(20000);
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const Scene one = torus_scene(20000);
+  const SurfelScene one = torus_scene(20000);
   EXPECT_EQ(many.tree.order, one.tree.order);
   ASSERT_EQ(many.tree.nodes.size(), one.tree.nodes.size());
   for (std::size_t n = 0; n < one.tree.nodes.size(); ++n) {
