@@ -170,10 +170,11 @@ void to_working_frame(const WorkingFrame& frame, Points& points) {
 
 void to_world_frame(const WorkingFrame& frame, std::vector<Patch>& patches) {
   if (frame == WorkingFrame{}) return;
+  const bool left_handed = is_left_handed(frame);
   for (Patch& patch : patches) {
     patch.origin = frame.origin + frame.axes * patch.origin;
     patch.axes = frame.axes * patch.axes;
-    if (is_left_handed(frame)) transpose(patch);
+    if (left_handed) transpose(patch);
   }
 }
 

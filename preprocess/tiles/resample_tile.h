@@ -12,13 +12,14 @@
 
 namespace relief {
 
-/// A tile's patches, and their errors at its own points. Squares and counts add up to the scan's.
+/// A tile's patches, and their errors at its own points, in the tile's unit and frame. Squares and
+/// counts add up to the scan's.
 struct TilePatches {
   std::vector<Patch> patches;
   std::uint64_t patch_count = 0;
   std::uint64_t points = 0;
-  double sum_of_squares = 0.0;  ///< of the points' distances to the patches, world units squared
-  double error_max = 0.0;       ///< world units
+  double sum_of_squares = 0.0;  ///< of the points' distances to the patches, squared
+  double error_max = 0.0;
   std::uint64_t uncovered = 0;
   ConvertReport texels;  ///< only its counts of texels are set
 };
