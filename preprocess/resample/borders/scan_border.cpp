@@ -1,0 +1,174 @@
+#include "preprocess/resample/borders/scan_border.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "preprocess/points/complete_frame.h"
+
+namespace relief {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+// Among 20 random directions, as many as there are points in such a disc, the widest sector is wider
+// than this once in 1,400 points.
+constexpr double kEmptySector = 150.0 * kDegree;
+constexpr double kEmptyReach = 2.5;
+// The second widest is at most this wide, and the widest at most that.
+constexpr double kWidestOther = 110.0 * kDegree;
+constexpr double kWidestEmpty = 290.0 * kDegree;
+
+// Points of a border weigh exp(-d^2 / s^2), s in scan spacings.
+constexpr double kCurveScale = 2.0;
+constexpr double kCurveCutoff = 2.0;
+// Directions weigh exp(-d^2 / s^2), d the length of their difference: at corners both sides have their own.
+constexpr double kDirectionScale = 0.7;
+// Points at the border of another sheet: farther from the tangent plane than this, in spacings, or turned by 60
+// degrees.
+constexpr double kOffSheet = 1.0;
+constexpr float kLeastCosine = 0.5F;
+// The border lies beyond the points that are told to be at it. Of a regular grid by half a spacing
+// (mean); of a random sampling by 0.29: one at a depth of y spacings is told if the sector is empty, at exp(-y^2 /
+// tan 15 degrees).
+constexpr double kBeyondPoints = 0.4;
+
+struct Sector {
+  double begin = 0.0;
+  double width = 0.0;
+};
+
+struct WidestSectors {
+  Sector first;
+  double second = 0.0;  ///< width
+};
+
+/// The widest sectors between directions; sorts them.
+WidestSectors widest_sectors(std::vector<double>& angles) {
+  if (angles.empty()) return {{0.0, 2.0 * std::numbers::pi}, 0.0};
+  std::sort(angles.begin(), angles.end());
+  WidestSectors widest;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const bool last = k + 1 == angles.size();
+    const double next = last ? angles.front() + 2.0 * std::numbers::pi : angles[k + 1];
+    const Sector sector{angles[k], next - angles[k]};
+    if (sector.width > widest.first.width) {
+      widest.second = widest.first.width;
+      widest.first = sector;
+    } else {
+      widest.second = std::max(widest.second, sector.width);
+    }
+  }
+  return widest;
+}
+
+/// Looks at points one by one.
+class BorderFinder {
+ public:
+  BorderFinder(const SurfaceSamples& samples, const NeighbourGraph& graph)
+      : samples_(samples), graph_(graph) {}
+
+  /// The direction outward from a point at a border, in its tangent plane; nothing of another.
+  std::optional<glm::dvec3> outward(std::uint32_t i) {
+    const glm::dvec3 n(samples_.normals[i]);
+    if (n == glm::dvec3(0.0)) return {};
+    complete_frame(n, u_, v_);
+    angles_.clear();
+    for (const std::uint32_t j : graph_.of(i)) add(i, j);
+    // Most points are done with here. A point at a border may have nearer ones on its one side
+    // alone, so that the others are asked, too.
+    if (widest_sectors(angles_).first.width < kEmptySector) return {};
+    const double reach = kEmptyReach * samples_.spacing[i];
+    angles_.clear();
+    for (const std::uint32_t j : graph_.of(i)) {
+      add_within(i, j, reach);
+      for (const std::uint32_t k : graph_.of(j)) add_within(i, k, reach);
+    }
+    const WidestSectors widest = widest_sectors(angles_);
+    if (widest.first.width < kEmptySector || widest.first.width > kWidestEmpty ||
+        widest.second > kWidestOther)
+      return {};
+    const double middle = widest.first.begin + 0.5 * widest.first.width;
+    return std::cos(middle) * u_ + std::sin(middle) * v_;
+  }
+
+ private:
+  void add(std::uint32_t i, std::uint32_t j) {
+    const glm::dvec3 d = samples_.positions[j] - samples_.positions[i];
+    const double x = glm::dot(d, u_);
+    const double y = glm::dot(d, v_);
+    if (x != 0.0 || y != 0.0) angles_.push_back(std::atan2(y, x));
+  }
+
+  void add_within(std::uint32_t i, std::uint32_t j, double reach) {
+    const glm::dvec3 d = samples_.positions[j] - samples_.positions[i];
+    if (j != i && glm::dot(d, d) <= reach * reach) add(i, j);
+  }
+
+  const SurfaceSamples& samples_;
+  const NeighbourGraph& graph_;
+  glm::dvec3 u_{0.0};
+  glm::dvec3 v_{0.0};
+  std::vector<double> angles_;
+};
+
+}  // namespace
+
+ScanBorder::ScanBorder(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                       std::uint32_t of_others) {
+  const auto count =
+      static_cast<std::uint32_t>(std::min<std::size_t>(samples.positions.size(), of_others));
+  std::vector<std::optional<glm::dvec3>> outward(count);
+  tbb::enumerable_thread_specific<BorderFinder> finders(
+      [&] { return BorderFinder(samples, graph); });
+  tbb::parallel_for(std::uint32_t{0}, count,
+                    [&](std::uint32_t i) { outward[i] = finders.local().outward(i); });
+  std::vector<glm::dvec3> positions;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!outward[i]) continue;
+    positions.push_back(samples.positions[i]);
+    points_.push_back({samples.positions[i], samples.normals[i], glm::vec3(*outward[i])});
+  }
+  if (!positions.empty()) search_.emplace(positions);
+}
+
+std::optional<double> ScanBorder::beyond(glm::dvec3 position, glm::vec3 normal,
+                                         double spacing) const {
+  if (!search_) return {};
+  const double scale = kCurveScale * spacing;
+  std::vector<std::uint32_t> found;
+  search_->find(position, kCurveCutoff * scale, found);
+  std::erase_if(found, [&](std::uint32_t p) {
+    const Point& point = points_[p];
+    return std::abs(glm::dot(normal, point.normal)) < kLeastCosine ||
+           std::abs(glm::dot(position - point.position, glm::dvec3(point.normal))) >
+               kOffSheet * spacing;
+  });
+  if (found.size() < 2) return {};
+  const auto weight_of = [&](const Point& point) {
+    const glm::dvec3 d = position - point.position;
+    return std::exp(-glm::dot(d, d) / (scale * scale));
+  };
+  glm::dvec3 outward(0.0);
+  for (const std::uint32_t p : found)
+    outward += weight_of(points_[p]) * glm::dvec3(points_[p].outward);
+  if (glm::length(outward) <= std::numeric_limits<double>::min()) return {};
+  outward = glm::normalize(outward);
+  double sum = 0.0;
+  double weights = 0.0;
+  for (const std::uint32_t p : found) {
+    const Point& point = points_[p];
+    const glm::dvec3 turn = glm::dvec3(point.outward) - outward;
+    const double weight = weight_of(point) * std::exp(-glm::dot(turn, turn) /
+                                                      (kDirectionScale * kDirectionScale));
+    sum += weight * glm::dot(position - point.position, glm::dvec3(point.outward));
+    weights += weight;
+  }
+  return sum / weights - kBeyondPoints * spacing;
+}
+
+}  // namespace relief
