@@ -123,7 +123,8 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
 
   PatchGrid grid = lay_grid(points, options.spacing, rings);
   std::vector<NodeState> states = find_support(points, {own, supporting, all}, grid, rings);
-  if (scan.border != nullptr) end_at_border(*scan.border, points, {own, supporting, all}, grid, states);
+  if (scan.border != nullptr)
+    end_at_border(*scan.border, points, {own, supporting, all}, grid, states);
   crop_grid(find_crop(states, grid), states, grid);
 
   Patch patch;

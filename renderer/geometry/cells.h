@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "common/patch.h"
+#include "renderer/geometry/cell_nodes.h"
 #include "renderer/geometry/facing.h"
 #include "renderer/geometry/levels.h"
+#include "renderer/geometry/patch_border.h"
 #include "renderer/geometry/samples.h"
 
 namespace relief {
@@ -21,12 +24,20 @@ struct CellRow {
   std::uint32_t span = 0;  ///< first node; in the upper half the one after the last
 };
 
-/// The splat of a sample at a border or beside a jump to another sheet, or of one whose plane is
-/// off the cells by more than shared::kCrease: as in SampleRecord but that its node is counted in
-/// the part, its height is found by that, and the margins that close its gaps are in its reaches.
+/// The splat of a sample beside a jump to another sheet, or of one whose plane is off the cells by
+/// more than shared::kCrease: as in SampleRecord but that its node is counted in the part, its
+/// height is found by that, and the margins that close its gaps are in its reaches. It does not
+/// reach toward holes, where border cells are, but beside a jump.
 struct RimRecord {
   std::uint32_t node = 0;  ///< column, row, slopes: a byte each
   std::uint32_t reach = 0;
+};
+
+/// What a patch covers of a cell with samples and holes at its corners, as shaders/include/shared.h
+/// says.
+struct BorderCell {
+  std::uint32_t cell = 0;
+  std::uint32_t ways = 0;
 };
 
 /// A square of a patch, at most shared::kPartCells a side, that is culled and drawn as one.
@@ -35,6 +46,7 @@ struct CellPart {
   std::vector<std::uint32_t> runs;       ///< packed as shaders/include/shared.h says, row by row
   std::vector<std::uint32_t> edge_runs;  ///< the same of a level's cells that holes touch
   std::vector<std::uint16_t> strip;      ///< instead of runs: nodes of a triangle strip, packed
+  std::vector<BorderCell> borders;       ///< row by row
   std::vector<RimRecord> rims;           ///< row by row
   glm::dvec3 centre{0.0};  ///< of a sphere about its cells and splats, grid frame (cells)
   double radius = 0.0;     ///< of that sphere, cells
@@ -49,12 +61,19 @@ struct PatchCells {
   std::vector<CellPart> parts;         ///< those that draw something
 };
 
+/// How far the splat of a sample of a patch that overlaps others reaches (CellNodes::closed_reach);
+/// nothing if it has none. `border`: the patch's.
+[[nodiscard]] std::optional<std::uint32_t> rim_reach(const CellNodes& nodes,
+                                                     const PatchBorder& border,
+                                                     const SampleRecord& record);
+
 /// Makes the cells of a patch. `samples` are its own.
 ///
 /// A cell is drawn if all four samples are valid and no edge rises by more than kSteepest cells:
 /// what mesh_of_patches.h makes for the ray tracer, halved along the same diagonal. (A fixed one:
 /// corrected interpolation, which the border splats follow, has it too, so that images of all
-/// three agree, and a run needs no bit a cell to say which.)
+/// three agree, and a run needs no bit a cell to say which.) A cell with holes at its corners has
+/// what PatchBorder gives of it.
 [[nodiscard]] PatchCells make_cells(const Patch& patch, const PatchSamples& samples);
 
 /// Makes those of a patch that ends where others begin: its whole cells (cell_triangles), as

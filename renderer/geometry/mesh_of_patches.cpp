@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <span>
 #include <unordered_map>
@@ -15,6 +15,7 @@
 #include "common/octahedral.h"
 #include "common/seams/cell_triangles.h"
 #include "common/seams/make_seams.h"
+#include "renderer/geometry/patch_border.h"
 #include "renderer/geometry/patch_normals.h"
 #include "renderer/geometry/proxy/proxy.h"
 #include "renderer/shading/materials.h"
@@ -101,28 +102,6 @@ PatchNormalMap normal_map_over(const Patch& patch) {
           glm::mat3(patch.axes), static_cast<float>(map.scale)};
 }
 
-void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
-                   TriangleMesh& mesh) {
-  const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
-  const auto joined = [&](std::size_t a, std::size_t b) {
-    return vertices[a] != kNoVertex && vertices[b] != kNoVertex &&
-           std::abs(patch.heights[b] - patch.heights[a]) <= largest_rise;
-  };
-  for (std::size_t j = 0; j + 1 < patch.height; ++j) {
-    for (std::size_t i = 0; i + 1 < patch.width; ++i) {
-      const std::size_t node = j * patch.width + i;
-      const std::size_t above = node + patch.width;
-      if (std::getenv("RB") != nullptr && (vertices[node] == kNoVertex || vertices[node + 1] == kNoVertex || vertices[above] == kNoVertex || vertices[above + 1] == kNoVertex)) continue;
-      if (joined(node, node + 1) && joined(node + 1, above + 1)) {
-        mesh.triangles.push_back({vertices[node], vertices[node + 1], vertices[above + 1]});
-      }
-      if (joined(node, above) && joined(above, above + 1)) {
-        mesh.triangles.push_back({vertices[node], vertices[above + 1], vertices[above]});
-      }
-    }
-  }
-}
-
 /// The colour of a map at the texel nearest to grid coordinates, linear.
 glm::vec3 colour_at(const Patch& patch, glm::dvec2 uv) {
   const AttributeMap<glm::u8vec3>& map = patch.colours;
@@ -148,82 +127,73 @@ glm::vec3 normal_at(const AttributeMap<glm::i16vec2>& map, glm::dvec2 uv) {
       glm::mix(glm::mix(at(0, 0), at(1, 0), part.x), glm::mix(at(0, 1), at(1, 1), part.x), part.y));
 }
 
+/// Adds a vertex of a patch that is none of its samples: at grid coordinates, with the attributes
+/// of its maps there.
+std::uint32_t add_vertex_between(const Patch& patch, std::uint32_t id,
+                                 const AttributeMap<glm::i16vec2>& normals, glm::dvec3 position,
+                                 glm::dvec2 uv, bool coloured, TriangleMesh& mesh) {
+  const auto vertex = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.push_back(position);
+  mesh.normals.push_back(glm::normalize(glm::mat3(patch.axes) * normal_at(normals, uv)));
+  if (coloured) mesh.colours.emplace_back(colour_at(patch, uv), 1.0F);
+  mesh.uvs.emplace_back(uv);
+  mesh.patches.push_back(id + 1);
+  return vertex;
+}
 
-// PROTOTYPE
+/// Adds the whole cells of a patch.
+void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
+                   TriangleMesh& mesh) {
+  const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
+  const auto joined = [&](std::size_t a, std::size_t b) {
+    return vertices[a] != kNoVertex && vertices[b] != kNoVertex &&
+           std::abs(patch.heights[b] - patch.heights[a]) <= largest_rise;
+  };
+  for (std::size_t j = 0; j + 1 < patch.height; ++j) {
+    for (std::size_t i = 0; i + 1 < patch.width; ++i) {
+      const std::size_t node = j * patch.width + i;
+      const std::size_t above = node + patch.width;
+      if (vertices[node] == kNoVertex || vertices[above + 1] == kNoVertex) continue;
+      const bool lower = joined(node, node + 1) && joined(node + 1, above + 1);
+      const bool upper = joined(node, above) && joined(above, above + 1);
+      if (lower && vertices[above] != kNoVertex)
+        mesh.triangles.push_back({vertices[node], vertices[node + 1], vertices[above + 1]});
+      if (upper && vertices[node + 1] != kNoVertex)
+        mesh.triangles.push_back({vertices[node], vertices[above + 1], vertices[above]});
+    }
+  }
+}
+
+/// Adds what it covers of the cells that holes cut.
 void add_border(const Patch& patch, std::uint32_t id, bool coloured,
                 const std::vector<std::uint32_t>& vertices, TriangleMesh& mesh) {
-  const char* const env = std::getenv("RB");
-  if (env == nullptr) return;
-  const int taps = std::atoi(env);
-  const int W = static_cast<int>(patch.width), H = static_cast<int>(patch.height);
-  const auto valid = [&](int i, int j) {
-    return i >= 0 && j >= 0 && i < W && j < H && patch.heights[static_cast<std::size_t>(j) * W + i] != kHole;
-  };
+  const PatchBorder border(patch);
   const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
-  std::vector<float> kernel = taps == 3 ? std::vector<float>{.25F, .5F, .25F}
-                              : taps == 5 ? std::vector<float>{1 / 16.F, 4 / 16.F, 6 / 16.F, 4 / 16.F, 1 / 16.F}
-                                          : std::vector<float>{1 / 64.F, 6 / 64.F, 15 / 64.F, 20 / 64.F, 15 / 64.F, 6 / 64.F, 1 / 64.F};
-  const int r = static_cast<int>(kernel.size()) / 2;
-  const auto field = [&](int i, int j) {
-    float sum = 0;
-    for (int y = -r; y <= r; ++y)
-      for (int x = -r; x <= r; ++x)
-        if (valid(i + x, j + y)) sum += kernel[static_cast<std::size_t>(x + r)] * kernel[static_cast<std::size_t>(y + r)];
-    return sum;
-  };
-  const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
-  const auto h = [&](int i, int j) { return static_cast<double>(patch.heights[static_cast<std::size_t>(j) * W + i]); };
-  std::unordered_map<std::uint64_t, std::uint32_t> added;
-  const auto cross = [&](glm::ivec2 a, glm::ivec2 b) {  // a in, b out
-    const std::uint64_t key = ((static_cast<std::uint64_t>(a.y + 2) << 16 | static_cast<std::uint64_t>(a.x + 2)) << 2) | static_cast<std::uint64_t>(b.x > a.x ? 0 : b.x < a.x ? 1 : b.y > a.y ? 2 : 3);
-    const auto next = static_cast<std::uint32_t>(mesh.positions.size());
-    const auto [found, is_new] = added.try_emplace(key, next);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> added;  // by sample and side
+  const auto vertex_of = [&](const BorderCorner& corner) {
+    const auto node = static_cast<std::uint32_t>(corner.node.y) * patch.width +
+                      static_cast<std::uint32_t>(corner.node.x);
+    const glm::i32vec2 step = corner.toward - corner.node;
+    if (step == glm::i32vec2(0)) return vertices[node];
+    const auto side = static_cast<std::uint32_t>(step.x + 2 * step.y + 2);
+    const auto [found, is_new] = added.try_emplace({node, side}, 0);
     if (!is_new) return found->second;
-    const float fa = std::max(field(a.x, a.y), 0.5F), fb = std::min(field(b.x, b.y), 0.4999F);
-    const double t = std::min(double((fa - 0.5F) / (fa - fb)), 15.0 / 16.0);
-    const glm::ivec2 back = 2 * a - b;
-    double rise = 0;
-    if (valid(back.x, back.y)) {
-      rise = h(a.x, a.y) - h(back.x, back.y);
-      if (std::abs(rise) > largest_rise) rise = 0;
-    }
-    const glm::dvec2 uv = glm::dvec2(a) + t * glm::dvec2(b - a);
-    mesh.positions.push_back(patch.origin + patch.axes * glm::dvec3(uv * patch.spacing, (h(a.x, a.y) + t * rise) * patch.height_step));
-    mesh.normals.push_back(glm::normalize(glm::mat3(patch.axes) * normal_at(normals, uv)));
-    if (coloured) mesh.colours.emplace_back(colour_at(patch, uv), 1.0F);
-    mesh.uvs.emplace_back(uv);
-    mesh.patches.push_back(id + 1);
-    return next;
+    const glm::dvec3 at = border.position_of(corner);
+    found->second =
+        add_vertex_between(patch, id, normals, patch.origin + patch.axes * (patch.spacing * at),
+                           glm::dvec2(at), coloured, mesh);
+    return found->second;
   };
-  for (int j = -1; j < H; ++j)
-    for (int i = -1; i < W; ++i) {
-      const glm::ivec2 c[4] = {{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}};
-      int in = 0;
-      for (int k = 0; k < 4; ++k) in |= valid(c[k].x, c[k].y) << k;
-      if (in == 0 || in == 15) continue;
-      bool jump = false;
-      for (int k = 0; k < 4; ++k) {
-        const glm::ivec2 a = c[k], b = c[(k + 1) % 4];
-        if (valid(a.x, a.y) && valid(b.x, b.y) && std::abs(h(a.x, a.y) - h(b.x, b.y)) > largest_rise) jump = true;
-      }
-      if (jump) continue;
-      const auto vertex = [&](int k) { return vertices[static_cast<std::size_t>(c[k].y) * W + c[k].x]; };
-      if (in == 5 || in == 10) {
-        for (int k = in == 5 ? 0 : 1; k < 4; k += 2)
-          mesh.triangles.push_back({vertex(k), cross(c[k], c[(k + 1) % 4]), cross(c[k], c[(k + 3) % 4])});
-        continue;
-      }
-      std::vector<std::uint32_t> polygon;
-      for (int k = 0; k < 4; ++k) {
-        const int n = (k + 1) % 4;
-        const bool a = (in >> k) & 1, b = (in >> n) & 1;
-        if (a) polygon.push_back(vertex(k));
-        if (a && !b) polygon.push_back(cross(c[k], c[n]));
-        if (!a && b) polygon.push_back(cross(c[n], c[k]));
-      }
-      for (std::size_t v = 2; v < polygon.size(); ++v)
-        mesh.triangles.push_back({polygon[0], polygon[v - 1], polygon[v]});
+  const glm::i32vec2 end(patch.width, patch.height);
+  for (glm::i32vec2 cell(-1); cell.y < end.y; ++cell.y) {
+    for (cell.x = -1; cell.x < end.x; ++cell.x) {
+      border.for_each_polygon(cell, [&](const BorderPolygon& polygon) {
+        const auto corner = [&](std::uint32_t c) { return vertex_of(polygon.corners[c]); };
+        for (std::uint32_t c = 2; c < polygon.count; ++c)
+          mesh.triangles.push_back({corner(0), corner(c - 1), corner(c)});
+      });
     }
+  }
 }
 
 /// Adds the whole cells of a patch that meets others, and its part of the seams. Returns each seam
@@ -244,18 +214,13 @@ std::unordered_map<std::uint32_t, std::uint32_t> add_joined_triangles(
   std::unordered_map<std::uint32_t, std::uint32_t> added;
   const auto vertex_of = [&](std::uint32_t corner) {
     if ((corner & kSeamVertexBit) == 0) return vertices[corner];
-    const auto next = static_cast<std::uint32_t>(mesh.positions.size());
-    const auto [found, is_new] = added.try_emplace(corner, next);
+    const auto [found, is_new] = added.try_emplace(corner, 0);
     if (!is_new) return found->second;
     const glm::dvec3 position = seams.vertices[corner & ~kSeamVertexBit].position;
     const glm::dvec2 uv =
         glm::dvec2(glm::transpose(patch.axes) * (position - patch.origin)) / patch.spacing;
-    mesh.positions.push_back(position);
-    mesh.normals.push_back(glm::normalize(glm::mat3(patch.axes) * normal_at(normals, uv)));
-    if (coloured) mesh.colours.emplace_back(colour_at(patch, uv), 1.0F);
-    mesh.uvs.emplace_back(uv);
-    mesh.patches.push_back(id + 1);
-    return next;
+    found->second = add_vertex_between(patch, id, normals, position, uv, coloured, mesh);
+    return found->second;
   };
   for (const Triangle& t : triangles)
     mesh.triangles.push_back({vertex_of(t[0]), vertex_of(t[1]), vertex_of(t[2])});

@@ -43,11 +43,14 @@ Result<UploadedCells> CellPages::add(const PatchCells& cells) {
     buffers.edge_runs = static_cast<std::uint32_t>(part.edge_runs.size());
     buffers.first_rim = static_cast<std::uint32_t>(page.rims.size());
     buffers.rims = static_cast<std::uint32_t>(part.rims.size());
+    buffers.first_border = static_cast<std::uint32_t>(page.borders.size());
+    buffers.borders = static_cast<std::uint32_t>(part.borders.size());
     buffers.first_strip = static_cast<std::uint32_t>(page.strips.size());
     buffers.strip = static_cast<std::uint32_t>(part.strip.size());
     uploaded.parts.push_back({part.corner, part.centre, part.radius, part.normals, buffers});
     page.runs.insert(page.runs.end(), part.runs.begin(), part.runs.end());
     page.runs.insert(page.runs.end(), part.edge_runs.begin(), part.edge_runs.end());
+    page.borders.insert(page.borders.end(), part.borders.begin(), part.borders.end());
     page.rims.insert(page.rims.end(), part.rims.begin(), part.rims.end());
     page.strips.insert(page.strips.end(), part.strip.begin(), part.strip.end());
   }
@@ -64,6 +67,7 @@ CellPage upload_page(const Gl& gl, const CellPageData& data, const Buffer& posit
       make_table(gl, "cell heights", GL_R16UI, std::span<const std::uint16_t>(data.heights)),
       make_table(gl, "cell rows", GL_RG32UI, std::span<const CellRow>(data.rows)),
       make_table(gl, "cell runs", GL_R32UI, std::span<const std::uint32_t>(data.runs)),
+      make_table(gl, "border cells", GL_RG32UI, std::span<const BorderCell>(data.borders)),
       make_table(gl, "rims", GL_RG32UI, std::span<const RimRecord>(data.rims)),
       std::nullopt,
       std::nullopt};

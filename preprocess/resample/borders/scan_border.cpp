@@ -15,26 +15,33 @@ namespace relief {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-// Among 20 random directions, as many as there are points in such a disc, the widest sector is wider
-// than this once in 1,400 points.
+// Among 20 random directions, as many as there are points in such a disc, the widest sector is
+// wider than this once in 1,400 points.
 constexpr double kEmptySector = 150.0 * kDegree;
 constexpr double kEmptyReach = 2.5;
 // The second widest is at most this wide, and the widest at most that.
 constexpr double kWidestOther = 110.0 * kDegree;
 constexpr double kWidestEmpty = 290.0 * kDegree;
 
+// Between rows of points, which a scanner leaves where it sees a surface askew, is no border, but a
+// gap: there are points beyond it, within so many spacings and 45 degrees of outward.
+constexpr double kWidestGap = 4.0;
+constexpr double kWidestStep = 10.0;
+constexpr double kGapCosine = 0.7;
+
 // Points of a border weigh exp(-d^2 / s^2), s in scan spacings.
 constexpr double kCurveScale = 2.0;
 constexpr double kCurveCutoff = 2.0;
-// Directions weigh exp(-d^2 / s^2), d the length of their difference: at corners both sides have their own.
+// Directions weigh exp(-d^2 / s^2), d the length of their difference: at corners both sides have
+// their own.
 constexpr double kDirectionScale = 0.7;
-// Points at the border of another sheet: farther from the tangent plane than this, in spacings, or turned by 60
-// degrees.
+// Points at the border of another sheet: farther from the tangent plane than this, in spacings, or
+// turned by 60 degrees.
 constexpr double kOffSheet = 1.0;
 constexpr float kLeastCosine = 0.5F;
 // The border lies beyond the points that are told to be at it. Of a regular grid by half a spacing
-// (mean); of a random sampling by 0.29: one at a depth of y spacings is told if the sector is empty, at exp(-y^2 /
-// tan 15 degrees).
+// (mean); of a random sampling by 0.29: one at a depth of y spacings is told if the sector is
+// empty, at exp(-y^2 / tan 15 degrees).
 constexpr double kBeyondPoints = 0.4;
 
 struct Sector {
@@ -116,6 +123,23 @@ class BorderFinder {
   std::vector<double> angles_;
 };
 
+/// Whether there are points beyond what looks like a border at a point.
+bool is_gap(const SurfaceSamples& samples, const RadiusSearch& all, std::uint32_t i,
+            glm::dvec3 outward) {
+  std::vector<std::uint32_t> found;
+  all.find(samples.positions[i], kWidestStep * samples.spacing[i], found);
+  const double gap = kWidestGap * samples.spacing[i];
+  const glm::dvec3 normal(samples.normals[i]);
+  return std::ranges::any_of(found, [&](std::uint32_t j) {
+    const glm::dvec3 d = samples.positions[j] - samples.positions[i];
+    const double across = std::abs(glm::dot(d, normal));
+    const double within = glm::length(d - glm::dot(d, normal) * normal);
+    const double along = glm::dot(d, outward);
+    if (!(along > 0.0 && along >= kGapCosine * within)) return false;
+    return across >= within || glm::dot(d, d) <= gap * gap;
+  });
+}
+
 }  // namespace
 
 ScanBorder::ScanBorder(const SurfaceSamples& samples, const NeighbourGraph& graph,
@@ -127,6 +151,11 @@ ScanBorder::ScanBorder(const SurfaceSamples& samples, const NeighbourGraph& grap
       [&] { return BorderFinder(samples, graph); });
   tbb::parallel_for(std::uint32_t{0}, count,
                     [&](std::uint32_t i) { outward[i] = finders.local().outward(i); });
+  if (std::ranges::none_of(outward, [](const auto& o) { return o.has_value(); })) return;
+  const RadiusSearch all(samples.positions);
+  tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) {
+    if (outward[i] && is_gap(samples, all, i, *outward[i])) outward[i].reset();
+  });
   std::vector<glm::dvec3> positions;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!outward[i]) continue;
@@ -148,7 +177,7 @@ std::optional<double> ScanBorder::beyond(glm::dvec3 position, glm::vec3 normal,
            std::abs(glm::dot(position - point.position, glm::dvec3(point.normal))) >
                kOffSheet * spacing;
   });
-  if (found.size() < 2) return {};
+  if (found.size() < 3) return {};
   const auto weight_of = [&](const Point& point) {
     const glm::dvec3 d = position - point.position;
     return std::exp(-glm::dot(d, d) / (scale * scale));
@@ -163,8 +192,8 @@ std::optional<double> ScanBorder::beyond(glm::dvec3 position, glm::vec3 normal,
   for (const std::uint32_t p : found) {
     const Point& point = points_[p];
     const glm::dvec3 turn = glm::dvec3(point.outward) - outward;
-    const double weight = weight_of(point) * std::exp(-glm::dot(turn, turn) /
-                                                      (kDirectionScale * kDirectionScale));
+    const double weight =
+        weight_of(point) * std::exp(-glm::dot(turn, turn) / (kDirectionScale * kDirectionScale));
     sum += weight * glm::dot(position - point.position, glm::dvec3(point.outward));
     weights += weight;
   }
