@@ -19,18 +19,17 @@ struct SeamCopy {
 /// The triangulation of all patches: each grid cell halved along the diagonal from (0, 0) to (1, 1)
 /// ([Ochotta 2008], section 3.5), but for triangles with a hole at a corner and those along whose
 /// cell's edge it rises by more than kSteepest cells, where a patch jumps from one sheet of the
-/// scan to another: no splat leans as much. Normals are those of the maps at the nodes, colours
-/// those of the whole map, and both also where it has several texels a cell. UVs are grid
-/// coordinates.
+/// scan to another: no splat leans as much. Cells that holes cut have what PatchBorder gives of
+/// them. Normals are those of the maps at the nodes, colours those of the whole map, and both also
+/// where it has several texels a cell. UVs are grid coordinates.
 ///
 /// Patches that meet (PatchModel::joined) are joined by their seams (make_seams); only cells of up
 /// to kSteepestJoined are theirs. A seam vertex is there once for each patch that shares it, with
 /// that patch's normal and colour; these are added to `copies` if it is given.
 ///
 /// Other patches are not joined: each has its own vertices, and where their margins overlap there
-/// are two surfaces, some hundredths of a cell apart, of which a ray meets the nearer. Between the
-/// ragged borders of two patches that do not overlap there is nothing, where `onepass` draws splats
-/// that reach half a cell beyond the border. Fails if there are more samples than 32 bits count.
+/// are two surfaces, some hundredths of a cell apart, of which a ray meets the nearer. Fails if
+/// there are more samples than 32 bits count.
 Result<TriangleMesh> mesh_of_patches(const PatchModel& model,
                                      std::vector<SeamCopy>* copies = nullptr);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 // Among 20 random directions, as many as there are points in such a disc, the widest sector is
 // wider than this once in 1,400 points.
-constexpr double kEmptySector = 150.0 * kDegree;
+constexpr double kEmptySector = 130.0 * kDegree;
 constexpr double kEmptyReach = 2.5;
 // The second widest is at most this wide, and the widest at most that.
 constexpr double kWidestOther = 110.0 * kDegree;
@@ -32,6 +32,8 @@ constexpr double kGapCosine = 0.7;
 // Points of a border weigh exp(-d^2 / s^2), s in scan spacings.
 constexpr double kCurveScale = 2.0;
 constexpr double kCurveCutoff = 2.0;
+// ... and more where they lie farther outward, by this power of e a spacing.
+constexpr double kOuterWeight = 0.5;
 // Directions weigh exp(-d^2 / s^2), d the length of their difference: at corners both sides have
 // their own.
 constexpr double kDirectionScale = 0.7;
@@ -178,26 +180,33 @@ std::optional<double> ScanBorder::beyond(glm::dvec3 position, glm::vec3 normal,
                kOffSheet * spacing;
   });
   if (found.size() < 3) return {};
-  const auto weight_of = [&](const Point& point) {
-    const glm::dvec3 d = position - point.position;
-    return std::exp(-glm::dot(d, d) / (scale * scale));
-  };
-  glm::dvec3 outward(0.0);
-  for (const std::uint32_t p : found)
-    outward += weight_of(points_[p]) * glm::dvec3(points_[p].outward);
-  if (glm::length(outward) <= std::numeric_limits<double>::min()) return {};
-  outward = glm::normalize(outward);
-  double sum = 0.0;
-  double weights = 0.0;
+  std::vector<double> weights;
   for (const std::uint32_t p : found) {
-    const Point& point = points_[p];
-    const glm::dvec3 turn = glm::dvec3(point.outward) - outward;
-    const double weight =
-        weight_of(point) * std::exp(-glm::dot(turn, turn) / (kDirectionScale * kDirectionScale));
-    sum += weight * glm::dot(position - point.position, glm::dvec3(point.outward));
-    weights += weight;
+    const glm::dvec3 d = position - points_[p].position;
+    weights.push_back(std::exp(-glm::dot(d, d) / (scale * scale)));
   }
-  return sum / weights - kBeyondPoints * spacing;
+  const auto mean_outward = [&] {
+    glm::dvec3 sum(0.0);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      sum += weights[k] * glm::dvec3(points_[found[k]].outward);
+    return sum / std::max(glm::length(sum), std::numeric_limits<double>::min());
+  };
+  const glm::dvec3 about = mean_outward();
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const glm::dvec3 turn = glm::dvec3(points_[found[k]].outward) - about;
+    weights[k] *= std::exp(-glm::dot(turn, turn) / (kDirectionScale * kDirectionScale));
+  }
+  const glm::dvec3 outward = mean_outward();
+  double sum = 0.0;
+  double weight = 0.0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const double before = glm::dot(position - points_[found[k]].position, outward);
+    const double own = weights[k] * std::exp(-kOuterWeight * before / spacing);
+    sum += own * before;
+    weight += own;
+  }
+  if (weight <= std::numeric_limits<double>::min()) return {};
+  return sum / weight - kBeyondPoints * spacing;
 }
 
 }  // namespace relief
