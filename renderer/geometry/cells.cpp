@@ -1,17 +1,16 @@
 #include "renderer/geometry/cells.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "common/seams/cell_triangles.h"
+#include "renderer/geometry/border_cells.h"
 #include "renderer/geometry/cell_nodes.h"
 #include "shaders/include/shared.h"
 
@@ -58,13 +57,6 @@ std::vector<CellKind> kinds_of(const Patch& patch, const KindOf& kind_of) {
     for (std::uint32_t i = 0; i < patch.width; ++i) kinds.push_back(kind_of(glm::uvec2(i, j)));
   }
   return kinds;
-}
-
-/// How far what leans as much (one over the cosine) is set back at a border, in steps of
-/// shared::kSetBackStep.
-std::uint32_t set_back_steps(float steepness) {
-  return static_cast<std::uint32_t>(
-      std::lround(shared::kBorderSetBack * steepness / shared::kSetBackStep));
 }
 
 /// A run of cells of a part from a node on.
@@ -198,14 +190,13 @@ PatchCells make_cells_alone(const CellSource& source) {
 template <class ReachOf>
 void add_rims(const Patch& patch, const PatchSamples& samples, PatchCells& cells,
               const ReachOf& reach_of) {
-  const std::uint32_t columns = part_counts(patch).x;
   for (const SampleRecord& record : samples.records) {
     const std::optional<std::uint32_t> reach = reach_of(record);
     if (!reach) continue;
     const glm::uvec2 node = CellNodes::node_of(record);
-    const glm::uvec2 part = node / shared::kPartCells;
-    const glm::uvec2 position = node - part * shared::kPartCells;
-    cells.parts[std::size_t{part.y} * columns + part.x].rims.push_back(
+    CellPart& part = cells.parts[part_at(patch, node)];
+    const glm::uvec2 position = node - part.corner;
+    part.rims.push_back(
         {position.x | (position.y << shared::kNodeInPartBits) | (record.shape & 0xFFFF0000U),
          *reach});
   }
@@ -213,62 +204,6 @@ void add_rims(const Patch& patch, const PatchSamples& samples, PatchCells& cells
     if (part.rims.empty()) continue;
     part.radius += samples.widest_disc;
     part.normals = {};
-  }
-}
-
-/// How far a border cell's polygon is set back, in steps: as the border splats of its samples are.
-std::uint32_t set_back_of(const BorderPolygon& polygon, const CellNodes& nodes) {
-  float steepest = 0.0F;
-  for (const BorderCorner& corner : std::span(polygon.corners).first(polygon.count))
-    steepest = std::max(steepest, nodes.steepness(nodes.index(glm::uvec2(corner.node))));
-  return std::min(set_back_steps(steepest), 255U);
-}
-
-/// Packs a polygon of a cell in the part that begins at `corner`.
-BorderCell border_cell(const BorderPolygon& polygon, glm::i32vec2 cell, glm::uvec2 corner,
-                       std::uint32_t set_back) {
-  const glm::uvec2 position(cell + 1 - glm::i32vec2(corner));
-  BorderCell packed;
-  packed.cell = position.x | (position.y << shared::kNodeInPartBits) |
-                (std::uint32_t{polygon.slots} << shared::kBorderSlotsShift) |
-                (set_back << shared::kBorderSetBackShift);
-  std::uint32_t next = 0;
-  for (std::uint32_t slot = 0; slot < 8; ++slot) {
-    if (((polygon.slots >> slot) & 1U) == 0) continue;
-    const float way = polygon.corners[next++].way;
-    if (slot % 2 == 1)
-      packed.ways |= static_cast<std::uint32_t>(std::lround(way / shared::kBorderStep))
-                     << (8 * (slot / 2));
-  }
-  return packed;
-}
-
-/// Makes a part's sphere hold a polygon, and its normals those of it.
-void hold(const PatchBorder& border, const BorderPolygon& polygon, CellPart& part) {
-  std::array<glm::dvec3, BorderPolygon::kMost> at;
-  for (std::uint32_t c = 0; c < polygon.count; ++c) {
-    at[c] = border.position_of(polygon.corners[c]);
-    part.radius = std::max(part.radius, glm::distance(at[c], part.centre));
-    if (c >= 2) part.normals.add(glm::vec3(glm::cross(at[c - 1] - at[0], at[c] - at[0])));
-  }
-}
-
-/// Adds the cells that have holes at their corners. One whose lower left node is outside of the
-/// patch belongs to the part of the first node.
-void add_borders(const Patch& patch, const PatchBorder& border, const CellNodes& nodes,
-                 PatchCells& cells) {
-  const std::uint32_t columns = part_counts(patch).x;
-  const glm::i32vec2 end(patch.width, patch.height);
-  for (glm::i32vec2 cell(-1); cell.y < end.y; ++cell.y) {
-    for (cell.x = -1; cell.x < end.x; ++cell.x) {
-      border.for_each_polygon(cell, [&](const BorderPolygon& polygon) {
-        const glm::uvec2 p = glm::uvec2(glm::max(cell, glm::i32vec2(0))) / shared::kPartCells;
-        CellPart& part = cells.parts[std::size_t{p.y} * columns + p.x];
-        part.borders.push_back(
-            border_cell(polygon, cell, part.corner, set_back_of(polygon, nodes)));
-        hold(border, polygon, part);
-      });
-    }
   }
 }
 
@@ -283,13 +218,9 @@ PatchCells without_empty_parts(PatchCells cells) {
 
 }  // namespace
 
-std::optional<std::uint32_t> rim_reach(const CellNodes& nodes, const PatchBorder& border,
-                                       const SampleRecord& record) {
-  assert(((record.node & shared::kBorderBit) == 0 || record.gap == 0) &&
-         "margins of border splats are in their reaches");
-  const bool jump = border.beside_jump(glm::i32vec2(CellNodes::node_of(record)));
-  if (!jump && nodes.off_edges(record) <= shared::kCrease) return {};
-  return nodes.closed_reach(record, jump);
+std::size_t part_at(const Patch& patch, glm::uvec2 node) {
+  const glm::uvec2 part = node / shared::kPartCells;
+  return std::size_t{part.y} * part_counts(patch).x + part.x;
 }
 
 PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
@@ -300,7 +231,7 @@ PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
   PatchCells cells =
       make_cells_alone({patch, kinds_of(patch, kind_of), &nodes, samples.height_step});
   const PatchBorder border(patch);
-  add_borders(patch, border, nodes, cells);
+  add_border_cells(patch, border, nodes, cells);
   add_rims(patch, samples, cells,
            [&](const SampleRecord& record) { return rim_reach(nodes, border, record); });
   return without_empty_parts(std::move(cells));

@@ -1,18 +1,16 @@
 // A patch as cells: its heights without the holes around them, the runs of cells that have all four
-// samples, and the splats for what those do not reach.
+// samples, what holes leave of others, and the splats for what those do not reach.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/geometry/cell_nodes.h"
 #include "renderer/geometry/facing.h"
 #include "renderer/geometry/levels.h"
-#include "renderer/geometry/patch_border.h"
 #include "renderer/geometry/samples.h"
 
 namespace relief {
@@ -61,17 +59,14 @@ struct PatchCells {
   std::vector<CellPart> parts;         ///< those that draw something
 };
 
-/// How far the splat of a sample of a patch that overlaps others reaches (CellNodes::closed_reach);
-/// nothing if it has none. `border`: the patch's.
-[[nodiscard]] std::optional<std::uint32_t> rim_reach(const CellNodes& nodes,
-                                                     const PatchBorder& border,
-                                                     const SampleRecord& record);
+/// The part that a node lies in, among those of a patch that are all there.
+[[nodiscard]] std::size_t part_at(const Patch& patch, glm::uvec2 node);
 
 /// Makes the cells of a patch. `samples` are its own.
 ///
 /// A cell is drawn if all four samples are valid and no edge rises by more than kSteepest cells:
 /// what mesh_of_patches.h makes for the ray tracer, halved along the same diagonal. (A fixed one:
-/// corrected interpolation, which the border splats follow, has it too, so that images of all
+/// corrected interpolation, which the splats follow, has it too, so that images of all
 /// three agree, and a run needs no bit a cell to say which.) A cell with holes at its corners has
 /// what PatchBorder gives of it.
 [[nodiscard]] PatchCells make_cells(const Patch& patch, const PatchSamples& samples);

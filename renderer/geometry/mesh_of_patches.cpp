@@ -1,6 +1,7 @@
 #include "renderer/geometry/mesh_of_patches.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -141,8 +142,8 @@ std::uint32_t add_vertex_between(const Patch& patch, std::uint32_t id,
   return vertex;
 }
 
-/// Adds the whole cells of a patch.
-void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
+/// Adds the cells of a patch: whole ones alone, or also half of those of three samples.
+void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices, bool whole,
                    TriangleMesh& mesh) {
   const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
   const auto joined = [&](std::size_t a, std::size_t b) {
@@ -156,12 +157,21 @@ void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertice
       if (vertices[node] == kNoVertex || vertices[above + 1] == kNoVertex) continue;
       const bool lower = joined(node, node + 1) && joined(node + 1, above + 1);
       const bool upper = joined(node, above) && joined(above, above + 1);
-      if (lower && vertices[above] != kNoVertex)
+      if (lower && (!whole || vertices[above] != kNoVertex))
         mesh.triangles.push_back({vertices[node], vertices[node + 1], vertices[above + 1]});
-      if (upper && vertices[node + 1] != kNoVertex)
+      if (upper && (!whole || vertices[node + 1] != kNoVertex))
         mesh.triangles.push_back({vertices[node], vertices[above + 1], vertices[above]});
     }
   }
+}
+
+/// How far the last triangle is set back, one at the border of the patch: as far as `onepass` does.
+float set_back_of(const Patch& patch, const TriangleMesh& mesh) {
+  const Triangle& t = mesh.triangles.back();
+  const glm::dvec3 across = glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]],
+                                       mesh.positions[t[2]] - mesh.positions[t[0]]);
+  const double steepness = glm::length(across) / std::abs(glm::dot(across, patch.axes[2]));
+  return static_cast<float>(shared::kBorderSetBack * patch.spacing * steepness);
 }
 
 /// Adds what it covers of the cells that holes cut.
@@ -189,8 +199,11 @@ void add_border(const Patch& patch, std::uint32_t id, bool coloured,
     for (cell.x = -1; cell.x < end.x; ++cell.x) {
       border.for_each_polygon(cell, [&](const BorderPolygon& polygon) {
         const auto corner = [&](std::uint32_t c) { return vertex_of(polygon.corners[c]); };
-        for (std::uint32_t c = 2; c < polygon.count; ++c)
+        for (std::uint32_t c = 2; c < polygon.count; ++c) {
+          mesh.set_backs.resize(mesh.triangles.size(), 0.0F);
           mesh.triangles.push_back({corner(0), corner(c - 1), corner(c)});
+          mesh.set_backs.push_back(set_back_of(patch, mesh));
+        }
       });
     }
   }
@@ -229,7 +242,8 @@ std::unordered_map<std::uint32_t, std::uint32_t> add_joined_triangles(
 
 }  // namespace
 
-Result<TriangleMesh> mesh_of_patches(const PatchModel& model, std::vector<SeamCopy>* copies) {
+Result<TriangleMesh> mesh_of_patches(const PatchModel& model, MeshBorder border,
+                                     std::vector<SeamCopy>* copies) {
   const std::size_t samples = count_samples(model);
   if (samples >= kNoVertex) {
     return make_error(
@@ -263,8 +277,9 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model, std::vector<SeamCo
           copies->push_back({vertex, first_seam + (corner & ~kSeamVertexBit)});
       }
     } else {
-      add_triangles(patch, vertices, mesh);
-      add_border(patch, p, model.has_colours, vertices, mesh);
+      const bool curve = border == MeshBorder::Curve;
+      add_triangles(patch, vertices, curve, mesh);
+      if (curve) add_border(patch, p, model.has_colours, vertices, mesh);
     }
     add_texture(patch, first, mesh);
     if (PatchNormalMap map = normal_map_over(patch); map.texture != nullptr) {
@@ -276,6 +291,7 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model, std::vector<SeamCo
     mesh.triangle_textures.resize(mesh.triangles.size(), kNoMaterial);
     mesh.texcoords.resize(mesh.triangles.size());
   }
+  if (!mesh.set_backs.empty()) mesh.set_backs.resize(mesh.triangles.size(), 0.0F);
   mesh.materials = materials_of_patches(model, mesh.patches);
   return mesh;
 }

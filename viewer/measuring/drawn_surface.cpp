@@ -7,8 +7,8 @@
 #include <glm/vector_relational.hpp>
 
 #include "common/seams/cell_triangles.h"
+#include "renderer/geometry/border_cells.h"
 #include "renderer/geometry/cell_nodes.h"
-#include "renderer/geometry/cells.h"
 #include "renderer/geometry/patch_border.h"
 #include "renderer/geometry/samples.h"
 #include "shaders/include/shared.h"

@@ -8,8 +8,8 @@
 
 namespace relief {
 
-/// Nodes beyond the border of the scan become holes, and holes before it and beside samples become
-/// samples like them: support alone (find_support) leaves a ragged border.
+/// Turns nodes beyond the scan's border into holes, and holes before it, beside samples, into
+/// samples: what support alone (find_support) leaves is ragged.
 void end_at_border(const ScanBorder& border, const PatchPoints& points, const PatchLookups& lookups,
                    const PatchGrid& grid, std::vector<NodeState>& states);
 

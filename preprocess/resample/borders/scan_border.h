@@ -11,15 +11,13 @@
 
 namespace relief {
 
-/// The open borders of a scan, as a curve that is fitted to the points along them.
+/// The open borders of a scan, about its outside and about holes, as curves along points.
 ///
-/// A point is at a border if no other lies in a sector of its tangent plane, of 150 degrees or more
-/// and 2.5 spacings: outward is along the middle of it. Where there are two such sectors, as along
-/// a wire, or none but a small one is filled, as at its end, it has no side and is left out.
-/// Between the points the curve is that of moving least squares with their directions (as surfaces
-/// from points with normals: [Oeztireli 2009], "Feature Preserving Point Set Surfaces based on
-/// Non-Linear Kernel Regression"), which averages what is random of a scan's last points and keeps
-/// corners.
+/// A point is at a border if its neighbours leave a wide sector of its tangent plane empty, whose
+/// middle points outward, and nothing follows there. Between such points the border is a mean of
+/// them, weighted by distance and direction (as surfaces are of points with normals: [Oeztireli
+/// 2009], "Feature Preserving Point Set Surfaces based on Non-Linear Kernel Regression"). So it has
+/// corners, but not the raggedness of a random scan's last points.
 class ScanBorder {
  public:
   /// `of_others`: points from here on are of other tiles, about which too little is known.

@@ -62,7 +62,8 @@ ExpectedMean count_inside(const RenderSettings& settings, std::size_t x, std::si
       const bool near = std::abs(beyond) < 0.02 + 0.025 * pixel;
       expected.undecided += near ? 1 : 0;
       expected.inside += beyond < 0.0 && !near ? 1 : 0;
-      expected.at_corner = expected.at_corner || std::abs(position.y) > kEdge - 0.5;
+      // Cells are cut off along a smooth curve: two nodes from the corner it is straight.
+      expected.at_corner = expected.at_corner || std::abs(position.y) > kEdge - 2.5;
     }
   }
   return expected;
