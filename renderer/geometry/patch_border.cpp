@@ -33,12 +33,14 @@ bool PatchBorder::is_sample(glm::i32vec2 node) const {
 
 float PatchBorder::mean_at(glm::i32vec2 node) const {
   std::int32_t sum = 0;
-  for (std::int32_t y = -kRadius; y <= kRadius; ++y) {
-    for (std::int32_t x = -kRadius; x <= kRadius; ++x) {
-      if (!is_sample(node + glm::i32vec2(x, y))) continue;
-      sum += kWeights[static_cast<std::size_t>(x + kRadius)] *
-             kWeights[static_cast<std::size_t>(y + kRadius)];
+  glm::i32vec2 other = node - kRadius;
+  for (const std::int32_t row : kWeights) {
+    other.x = node.x - kRadius;
+    for (const std::int32_t column : kWeights) {
+      if (is_sample(other)) sum += row * column;
+      ++other.x;
     }
+    ++other.y;
   }
   const float mean = static_cast<float>(sum) / kWeightSum;
   if (!is_sample(node)) return std::min(mean, kMostOfHole);
