@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "renderer/geometry/cell_nodes.h"
-#include "renderer/geometry/cells.h"
+#include "renderer/geometry/cell_parts.h"
 #include "renderer/geometry/patch_border.h"
 
 namespace relief {

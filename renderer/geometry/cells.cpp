@@ -113,11 +113,6 @@ void add_strip(const CellSource& source, glm::uvec2 corner, std::uint32_t j, std
   }
 }
 
-/// Parts of a patch each way.
-glm::uvec2 part_counts(const Patch& patch) {
-  return (glm::uvec2(patch.width, patch.height) + (shared::kPartCells - 1)) / shared::kPartCells;
-}
-
 /// Adds the normals of a cell's two triangles, halved along the diagonal from (0, 0).
 void add_normals(const Patch& patch, glm::uvec2 node, double height_step, NormalBounds& normals) {
   const auto height = [&](std::uint32_t i, std::uint32_t j) {
@@ -217,11 +212,6 @@ PatchCells without_empty_parts(PatchCells cells) {
 }
 
 }  // namespace
-
-std::size_t part_at(const Patch& patch, glm::uvec2 node) {
-  const glm::uvec2 part = node / shared::kPartCells;
-  return std::size_t{part.y} * part_counts(patch).x + part.x;
-}
 
 PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
   const CellNodes nodes(patch, samples);

@@ -1,22 +1,19 @@
 #include "renderer/geometry/mesh_of_patches.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
-#include <map>
 #include <memory>
 #include <span>
 #include <unordered_map>
 #include <utility>
 
-#include "common/image/srgb.h"
 #include "common/mesh/mesh_texture.h"
 #include "common/mesh/normal_texture.h"
 #include "common/octahedral.h"
 #include "common/seams/cell_triangles.h"
 #include "common/seams/make_seams.h"
-#include "renderer/geometry/patch_border.h"
+#include "renderer/geometry/mesh_border.h"
+#include "renderer/geometry/mesh_vertices.h"
 #include "renderer/geometry/patch_normals.h"
 #include "renderer/geometry/proxy/proxy.h"
 #include "renderer/shading/materials.h"
@@ -24,34 +21,6 @@
 
 namespace relief {
 namespace {
-
-constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
-
-/// Adds a patch's samples and returns for each node which vertex it has become.
-std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bool coloured,
-                                        TriangleMesh& mesh) {
-  std::vector<std::uint32_t> vertices(patch.heights.size(), kNoVertex);
-  const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
-  const glm::mat3 axes(patch.axes);
-  for (std::uint32_t j = 0; j < patch.height; ++j) {
-    for (std::uint32_t i = 0; i < patch.width; ++i) {
-      if (patch.at(i, j) == kHole) continue;
-      vertices[std::size_t{j} * patch.width + i] =
-          static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.push_back(position_of(patch, i, j));
-      mesh.normals.push_back(glm::normalize(axes * normal_at_node(normals, i, j)));
-      if (coloured) {
-        const glm::vec3 colour = patch.colours.empty()
-                                     ? glm::vec3(shared::kNeutralGrey)
-                                     : linear_from_srgb8(texel_at(patch.colours, i, j));
-        mesh.colours.emplace_back(colour, 1.0F);
-      }
-      mesh.uvs.emplace_back(i, j);
-      mesh.patches.push_back(id + 1);
-    }
-  }
-  return vertices;
-}
 
 /// The texture coordinates of grid coordinates; those of a node are its texel's middle.
 glm::vec2 texcoord_of(const AttributeMap<glm::u8vec3>& map, glm::dvec2 uv) {
@@ -103,45 +72,6 @@ PatchNormalMap normal_map_over(const Patch& patch) {
           glm::mat3(patch.axes), static_cast<float>(map.scale)};
 }
 
-/// The colour of a map at the texel nearest to grid coordinates, linear.
-glm::vec3 colour_at(const Patch& patch, glm::dvec2 uv) {
-  const AttributeMap<glm::u8vec3>& map = patch.colours;
-  if (map.empty()) return glm::vec3(shared::kNeutralGrey);
-  const glm::dvec2 most(map.width - 1, map.height - 1);
-  const glm::uvec2 texel(
-      glm::clamp(glm::round(uv * static_cast<double>(map.scale)), glm::dvec2(0.0), most));
-  return linear_from_srgb8(map.texels[std::size_t{texel.y} * map.width + texel.x]);
-}
-
-/// The normal of a map at grid coordinates, bilinear, in the patch frame.
-glm::vec3 normal_at(const AttributeMap<glm::i16vec2>& map, glm::dvec2 uv) {
-  const glm::dvec2 most(map.width - 1, map.height - 1);
-  const glm::dvec2 texel = glm::clamp(uv * static_cast<double>(map.scale), glm::dvec2(0.0), most);
-  const glm::dvec2 low = glm::min(glm::floor(texel), glm::max(most - 1.0, glm::dvec2(0.0)));
-  const glm::vec2 part(texel - low);
-  const auto at = [&](std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t x = std::min(static_cast<std::uint32_t>(low.x) + i, map.width - 1);
-    const std::uint32_t y = std::min(static_cast<std::uint32_t>(low.y) + j, map.height - 1);
-    return glm::vec2(map.texels[std::size_t{y} * map.width + x]) / 32767.0F;
-  };
-  return unit_from_octahedral(
-      glm::mix(glm::mix(at(0, 0), at(1, 0), part.x), glm::mix(at(0, 1), at(1, 1), part.x), part.y));
-}
-
-/// Adds a vertex of a patch that is none of its samples: at grid coordinates, with the attributes
-/// of its maps there.
-std::uint32_t add_vertex_between(const Patch& patch, std::uint32_t id,
-                                 const AttributeMap<glm::i16vec2>& normals, glm::dvec3 position,
-                                 glm::dvec2 uv, bool coloured, TriangleMesh& mesh) {
-  const auto vertex = static_cast<std::uint32_t>(mesh.positions.size());
-  mesh.positions.push_back(position);
-  mesh.normals.push_back(glm::normalize(glm::mat3(patch.axes) * normal_at(normals, uv)));
-  if (coloured) mesh.colours.emplace_back(colour_at(patch, uv), 1.0F);
-  mesh.uvs.emplace_back(uv);
-  mesh.patches.push_back(id + 1);
-  return vertex;
-}
-
 /// Adds the cells of a patch: whole ones alone, or also half of those of three samples.
 void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices, bool whole,
                    TriangleMesh& mesh) {
@@ -161,50 +91,6 @@ void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertice
         mesh.triangles.push_back({vertices[node], vertices[node + 1], vertices[above + 1]});
       if (upper && (!whole || vertices[node + 1] != kNoVertex))
         mesh.triangles.push_back({vertices[node], vertices[above + 1], vertices[above]});
-    }
-  }
-}
-
-/// How far the last triangle is set back, one at the border of the patch: as far as `onepass` does.
-float set_back_of(const Patch& patch, const TriangleMesh& mesh) {
-  const Triangle& t = mesh.triangles.back();
-  const glm::dvec3 across = glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]],
-                                       mesh.positions[t[2]] - mesh.positions[t[0]]);
-  const double steepness = glm::length(across) / std::abs(glm::dot(across, patch.axes[2]));
-  return static_cast<float>(shared::kBorderSetBack * patch.spacing * steepness);
-}
-
-/// Adds what it covers of the cells that holes cut.
-void add_border(const Patch& patch, std::uint32_t id, bool coloured,
-                const std::vector<std::uint32_t>& vertices, TriangleMesh& mesh) {
-  const PatchBorder border(patch);
-  const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> added;  // by sample and side
-  const auto vertex_of = [&](const BorderCorner& corner) {
-    const auto node = static_cast<std::uint32_t>(corner.node.y) * patch.width +
-                      static_cast<std::uint32_t>(corner.node.x);
-    const glm::i32vec2 step = corner.toward - corner.node;
-    if (step == glm::i32vec2(0)) return vertices[node];
-    const auto side = static_cast<std::uint32_t>(step.x + 2 * step.y + 2);
-    const auto [found, is_new] = added.try_emplace({node, side}, 0);
-    if (!is_new) return found->second;
-    const glm::dvec3 at = border.position_of(corner);
-    found->second =
-        add_vertex_between(patch, id, normals, patch.origin + patch.axes * (patch.spacing * at),
-                           glm::dvec2(at), coloured, mesh);
-    return found->second;
-  };
-  const glm::i32vec2 end(patch.width, patch.height);
-  for (glm::i32vec2 cell(-1); cell.y < end.y; ++cell.y) {
-    for (cell.x = -1; cell.x < end.x; ++cell.x) {
-      border.for_each_polygon(cell, [&](const BorderPolygon& polygon) {
-        const auto corner = [&](std::uint32_t c) { return vertex_of(polygon.corners[c]); };
-        for (std::uint32_t c = 2; c < polygon.count; ++c) {
-          mesh.set_backs.resize(mesh.triangles.size(), 0.0F);
-          mesh.triangles.push_back({corner(0), corner(c - 1), corner(c)});
-          mesh.set_backs.push_back(set_back_of(patch, mesh));
-        }
-      });
     }
   }
 }

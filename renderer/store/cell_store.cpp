@@ -11,15 +11,18 @@
 namespace relief {
 
 std::size_t most_cell_texels(const Gl& gl) {
-  // There are no more runs and no more rims than heights. Vertices, kRunVertices a run, are counted
-  // in signed 32-bit numbers.
+  // There are no more runs and no more rims than heights. Vertices, kRunVertices a run and fewer a
+  // border cell, are counted in signed 32-bit numbers.
+  static_assert(shared::kBorderVertices < shared::kRunVertices);
   return static_cast<std::size_t>(
       std::min(get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE),
                std::numeric_limits<std::int32_t>::max() / shared::kRunVertices));
 }
 
 Result<UploadedCells> CellPages::add(const PatchCells& cells) {
-  if (cells.heights.size() + cells.rows.size() + 1 > most_texels_) {
+  std::size_t borders = 0;
+  for (const CellPart& part : cells.parts) borders += part.borders.size();
+  if (std::max(cells.heights.size() + cells.rows.size() + 1, borders) > most_texels_) {
     return make_error(
         "a patch has {} samples, more than this OpenGL can draw ({}); convert again "
         "with a larger spacing",
@@ -27,7 +30,8 @@ Result<UploadedCells> CellPages::add(const PatchCells& cells) {
   }
   CellPageData& page = current_;
   if (page.heights.size() + page.rows.size() + cells.heights.size() + cells.rows.size() >
-      most_texels_)
+          most_texels_ ||
+      page.borders.size() + borders > most_texels_)
     pages_.push_back(std::exchange(page, {}));
   if (page.rows.empty()) page.rows.push_back({});
   UploadedCells uploaded{static_cast<std::int32_t>(page.rows.size()), {}};

@@ -17,7 +17,8 @@ namespace relief {
 namespace {
 
 /// Nodes around a range whose heights its splats depend on: reaches look one node further, at
-/// slopes that look another one further, at borders beside their row.
+/// slopes that look another one further, at borders beside their row. Border cells look as far: one
+/// node beyond the range, and two about that.
 constexpr std::uint32_t kMargin = 3;
 
 /// A range with a margin, as far as the patch has nodes.
@@ -71,12 +72,11 @@ void for_each_cell(const NodeRange& range, const Visit& visit) {
 /// Calls `visit` with the lower left node of each cell that touches a range, those at the edge of
 /// the patch included.
 template <class Visit>
-void for_each_border_cell(const Patch& patch, const NodeRange& range, const Visit& visit) {
-  const glm::i32vec2 end =
-      glm::min(glm::i32vec2(range.last), glm::i32vec2(patch.width, patch.height));
-  for (glm::i32vec2 cell = glm::i32vec2(range.first) - 1; cell.y <= end.y; ++cell.y) {
-    for (cell.x = static_cast<std::int32_t>(range.first.x) - 1; cell.x <= end.x; ++cell.x)
-      visit(cell);
+void for_each_touching_cell(const NodeRange& range, const Visit& visit) {
+  const glm::i32vec2 first = glm::i32vec2(range.first) - 1;
+  const glm::i32vec2 last(range.last);
+  for (glm::i32vec2 cell = first; cell.y <= last.y; ++cell.y) {
+    for (cell.x = first.x; cell.x <= last.x; ++cell.x) visit(cell);
   }
 }
 
@@ -154,7 +154,7 @@ void add_cells(const Patch& patch, const NodeRange& range, bool joined, DrawnTri
     if (nodes.is_cell(node - wide.first)) add_cell(patch, node, drawn.cells);
   });
   const PatchBorder border(window);
-  for_each_border_cell(patch, range, [&](glm::i32vec2 cell) {
+  for_each_touching_cell(range, [&](glm::i32vec2 cell) {
     border.for_each_polygon(cell - glm::i32vec2(wide.first), [&](const BorderPolygon& polygon) {
       add_polygon(border, polygon, wide.first, drawn.splats);
     });

@@ -16,6 +16,7 @@ constexpr std::int64_t kOverhangRings = 2;
 constexpr int kFewestSamples = 3;
 // As far from a point as this, in spacings of the scan or the grid, a hole may become a sample.
 constexpr double kFillReach = 1.5;
+
 /// The samples about a node.
 struct Around {
   int samples = 0;    ///< of the eight beside it
@@ -65,7 +66,7 @@ class BorderNodes {
     Around around;
     for (std::int64_t y = j - kOverhangRings; y <= j + kOverhangRings; ++y) {
       for (std::int64_t x = i - kOverhangRings; x <= i + kOverhangRings; ++x) {
-        if ((x == i && y == j)) continue;
+        if (x == i && y == j) continue;
         const NodeState state = at(x, y);
         if (state == NodeState::Hole) {
           around.hole = true;

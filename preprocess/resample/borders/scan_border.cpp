@@ -93,8 +93,8 @@ class BorderFinder {
     complete_frame(n, u_, v_);
     angles_.clear();
     for (const std::uint32_t j : graph_.of(i)) add(i, j);
-    // Most points are done with here. A point at a border may have nearer ones on its one side
-    // alone, so that the others are asked, too.
+    // Most points are done with here. A point at a border of rows has its nearest along its own
+    // row, so that theirs are asked, too.
     if (widest_sectors(angles_).first.width < kEmptySector) return {};
     const double reach = kEmptyReach * samples_.spacing[i];
     angles_.clear();
@@ -174,7 +174,7 @@ ScanBorder::ScanBorder(const SurfaceSamples& samples, const NeighbourGraph& grap
 
 std::optional<double> ScanBorder::beyond(glm::dvec3 position, glm::vec3 normal,
                                          double spacing) const {
-  if (!search_) return {};
+  if (!search_ || !(spacing > 0.0)) return {};
   const double scale = kCurveScale * spacing;
   std::vector<std::uint32_t> found;
   search_->find(position, kCurveCutoff * scale, found);
@@ -210,7 +210,7 @@ std::optional<double> ScanBorder::beyond(glm::dvec3 position, glm::vec3 normal,
     sum += own * before;
     weight += own;
   }
-  if (weight <= std::numeric_limits<double>::min()) return {};
+  if (!(weight > std::numeric_limits<double>::min())) return {};
   return sum / weight - kBeyondPoints * spacing;
 }
 
