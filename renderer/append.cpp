@@ -62,6 +62,7 @@ void transform(TriangleMesh& mesh, const Transform& transform) {
   }
   for (PatchNormalMap& map : mesh.patch_normals) map.axes = rotation * map.axes;
   for (MeshBody& body : mesh.bodies) body.diameter *= transform.scale;
+  for (float& set_back : mesh.set_backs) set_back *= static_cast<float>(transform.scale);
 }
 
 void transform(SplatCloud& cloud, const Transform& transform) {
@@ -92,6 +93,7 @@ Status append(TriangleMesh& to, TriangleMesh from, std::uint32_t patches_before)
   append_attribute(to.texcoords, from.texcoords, triangles, CornerTexcoords{});
   append_attribute(to.triangle_textures, from.triangle_textures, triangles, kNoMaterial);
   append_attribute(to.tangents, from.tangents, triangles, CornerTangents{});
+  append_attribute(to.set_backs, from.set_backs, triangles, 0.0F);
   if (!from.patch_normals.empty()) to.patch_normals.resize(patches_before);
   to.patch_normals.insert(to.patch_normals.end(), from.patch_normals.begin(),
                           from.patch_normals.end());

@@ -43,8 +43,8 @@ double surround_reach(const PatchPoints& points, std::uint32_t p, double spacing
 }
 
 /// `widest_reach`: at least that of any point of `lookup`.
-bool is_surrounded(const PatchPoints& points, const PointGrid& lookup, double x, double y,
-                   double spacing, double widest_reach) {
+bool is_surrounded_within(const PatchPoints& points, const PointGrid& lookup, double x, double y,
+                          double spacing, double widest_reach) {
   std::vector<double> angles;
   lookup.for_each_within(x, y, widest_reach, [&](std::uint32_t p, double squared) {
     const double reach = surround_reach(points, p, spacing);
@@ -80,6 +80,11 @@ int empty_run(std::uint8_t octants) {
 
 }  // namespace
 
+bool is_surrounded(const PatchPoints& points, const PointGrid& lookup, double x, double y,
+                   double spacing) {
+  return is_surrounded_within(points, lookup, x, y, spacing, kWidestSparseInSpacings * spacing);
+}
+
 bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x, double y,
                   double spacing) {
   bool close = false;
@@ -87,7 +92,7 @@ bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x, 
                          [&](std::uint32_t p, double plane_squared) {
                            close = close || is_close(points, p, x, y, plane_squared, spacing);
                          });
-  return close || is_surrounded(points, lookup, x, y, spacing, kWidestSparseInSpacings * spacing);
+  return close || is_surrounded(points, lookup, x, y, spacing);
 }
 
 bool NodeSupport::have_all_octants(std::size_t begin, std::size_t end) const {
@@ -172,8 +177,8 @@ bool NodeSupport::is_supported(std::uint32_t i, std::uint32_t j) const {
                 1.01 * kWidestSector < std::numbers::pi);
   if (run <= 1) return true;
   if (run >= 4) return false;
-  return is_surrounded(points_, lookup_, grid_.x0 + i * grid_.spacing, grid_.y0 + j * grid_.spacing,
-                       grid_.spacing, widest_reach_);
+  return is_surrounded_within(points_, lookup_, grid_.x0 + i * grid_.spacing,
+                              grid_.y0 + j * grid_.spacing, grid_.spacing, widest_reach_);
 }
 
 }  // namespace relief

@@ -15,6 +15,10 @@ namespace relief {
 [[nodiscard]] bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x,
                                 double y, double spacing);
 
+/// Returns whether they surround it.
+[[nodiscard]] bool is_surrounded(const PatchPoints& points, const PointGrid& lookup, double x,
+                                 double y, double spacing);
+
 /// Tests the support of a grid's nodes, much faster if most nodes are tested. Each point marks, at
 /// the nodes around it, the octant of directions in which it lies. This decides nodes amid points
 /// and far from them; only nodes along borders need the full test.

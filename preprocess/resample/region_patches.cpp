@@ -2,9 +2,11 @@
 
 #include <tbb/parallel_for.h>
 
+#include <optional>
 #include <utility>
 
 #include "preprocess/measure.h"
+#include "preprocess/resample/borders/scan_border.h"
 #include "preprocess/resample/borders/thin_borders.h"
 
 namespace relief {
@@ -61,7 +63,13 @@ std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::si
 std::vector<Patch> make_patches(const ScanSurface& scan, const std::vector<double>& factors,
                                 const ResampleOptions& options, std::vector<Region>& regions,
                                 Progress& progress) {
-  std::vector<Patch> patches = resample_all(scan, factors, options, regions, progress);
+  ScanSurface bordered = scan;
+  std::optional<ScanBorder> border;
+  if (!options.seams) {
+    border.emplace(scan.samples, scan.graph, scan.membership.of_others);
+    bordered.border = &*border;
+  }
+  std::vector<Patch> patches = resample_all(bordered, factors, options, regions, progress);
   if (progress.cancelled()) return patches;
   drop_redundant(scan.samples, scan.graph, regions, patches);
   if (options.seams) thin_borders(patches);

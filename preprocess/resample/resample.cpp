@@ -10,6 +10,7 @@
 
 #include "preprocess/resample/attributes.h"
 #include "preprocess/resample/borders/creases.h"
+#include "preprocess/resample/borders/end_at_border.h"
 #include "preprocess/resample/borders/foreign_nodes.h"
 #include "preprocess/resample/mls.h"
 #include "preprocess/resample/scalars.h"
@@ -122,6 +123,8 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
 
   PatchGrid grid = lay_grid(points, options.spacing, rings);
   std::vector<NodeState> states = find_support(points, {own, supporting, all}, grid, rings);
+  if (scan.border != nullptr)
+    end_at_border(*scan.border, points, {own, supporting, all}, grid, states);
   crop_grid(find_crop(states, grid), states, grid);
 
   Patch patch;

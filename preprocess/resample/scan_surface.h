@@ -12,6 +12,8 @@
 
 namespace relief {
 
+class ScanBorder;
+
 /// The input of resampling the regions of a scan.
 struct ScanSurface {
   const SurfaceSamples& samples;
@@ -21,6 +23,7 @@ struct ScanSurface {
   const CreaseNormals* creases = nullptr;         ///< of all points, with seams; may be null
   std::span<const PointScalar> scalars = {};      ///< of all points
   std::span<const ScalarInfo> scalar_infos = {};  ///< one for each
+  const ScanBorder* border = nullptr;             ///< of all points; null: patches end with support
   FitCensus* fits = nullptr;                      ///< counts the fits; null: nothing does
 };
 

@@ -1,6 +1,7 @@
 #include "renderer/geometry/cell_nodes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/ext/vector_int2_sized.hpp>
 #include <glm/ext/vector_uint2_sized.hpp>
@@ -50,10 +51,14 @@ float CellNodes::steepness(std::size_t k) const {
   return std::sqrt(1.0F + glm::dot(slope, slope));
 }
 
-std::uint32_t CellNodes::closed_reach(const SampleRecord& record) const {
-  const float cosine = 1.0F / steepness(index(node_of(record)));
+std::uint32_t CellNodes::closed_reach(const SampleRecord& record, bool toward_holes) const {
+  const std::size_t k = index(node_of(record));
+  const std::array<std::size_t, 4> beside{k - 1, k + 1, k - heights_.stride(),
+                                          k + heights_.stride()};
+  const float cosine = 1.0F / steepness(k);
   std::uint32_t packed = 0;
   for (std::uint32_t side = 0; side < 4; ++side) {
+    if (!toward_holes && !heights_.valid(beside[side])) continue;
     const float gap = shared::kGapStep * static_cast<float>(byte_of(record.gap, side));
     const auto margin =
         static_cast<std::uint32_t>(std::ceil(fixed_margin(gap, cosine) / shared::kReachStep));

@@ -45,8 +45,9 @@ class CellNodes {
   /// One over the cosine of a splat's tilt.
   [[nodiscard]] float steepness(std::size_t k) const;
 
-  /// The reaches of a splat with the margins that close its gaps, packed.
-  [[nodiscard]] std::uint32_t closed_reach(const SampleRecord& record) const;
+  /// The reaches of a splat with the margins that close its gaps, packed; those toward holes are 0
+  /// unless they are asked for.
+  [[nodiscard]] std::uint32_t closed_reach(const SampleRecord& record, bool toward_holes) const;
 
   /// How far a splat's plane is off the edges of the cells beside it where it ends (cells, along
   /// its normal).

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "common/seams/cell_triangles.h"
+#include "renderer/geometry/border_cells.h"
 #include "renderer/geometry/cell_nodes.h"
 #include "shaders/include/shared.h"
 
@@ -66,11 +67,10 @@ std::uint32_t make_run(const CellNodes* nodes, glm::uvec2 corner, glm::uvec2 fir
     const std::size_t k = nodes->index(first + glm::uvec2(v / 2, v % 2));
     if (nodes->is_border(k)) steepest = std::max(steepest, nodes->steepness(k));
   }
-  const auto set_back = static_cast<std::uint32_t>(
-      std::lround(shared::kBorderSetBack * steepest / shared::kSetBackStep));
   const glm::uvec2 position = first - corner;
   return position.x | (position.y << shared::kNodeInPartBits) |
-         (cells << (2 * shared::kNodeInPartBits)) | (set_back << shared::kSetBackShift);
+         (cells << (2 * shared::kNodeInPartBits)) |
+         (set_back_steps(steepest) << shared::kSetBackShift);
 }
 
 /// Appends the runs, of at most `most` cells, of a part's cells of a kind in row j, which end
@@ -111,11 +111,6 @@ void add_strip(const CellSource& source, glm::uvec2 corner, std::uint32_t j, std
       strip.insert(strip.end(), {in_strip({i + 1, j + 1}, corner), in_strip({i + 1, j}, corner)});
     }
   }
-}
-
-/// Parts of a patch each way.
-glm::uvec2 part_counts(const Patch& patch) {
-  return (glm::uvec2(patch.width, patch.height) + (shared::kPartCells - 1)) / shared::kPartCells;
 }
 
 /// Adds the normals of a cell's two triangles, halved along the diagonal from (0, 0).
@@ -185,19 +180,20 @@ PatchCells make_cells_alone(const CellSource& source) {
   return cells;
 }
 
-/// Adds the splats of the samples that `has_rim` accepts to the parts that they lie in.
-template <class HasRim>
-void add_rims(const Patch& patch, const CellNodes& nodes, const PatchSamples& samples,
-              PatchCells& cells, const HasRim& has_rim) {
-  const std::uint32_t columns = part_counts(patch).x;
+/// Adds the splats of the samples of which `reach_of` gives how far they reach to the parts that
+/// they lie in.
+template <class ReachOf>
+void add_rims(const Patch& patch, const PatchSamples& samples, PatchCells& cells,
+              const ReachOf& reach_of) {
   for (const SampleRecord& record : samples.records) {
-    if (!has_rim(record)) continue;
+    const std::optional<std::uint32_t> reach = reach_of(record);
+    if (!reach) continue;
     const glm::uvec2 node = CellNodes::node_of(record);
-    const glm::uvec2 part = node / shared::kPartCells;
-    const glm::uvec2 position = node - part * shared::kPartCells;
-    cells.parts[std::size_t{part.y} * columns + part.x].rims.push_back(
+    CellPart& part = cells.parts[part_at(patch, node)];
+    const glm::uvec2 position = node - part.corner;
+    part.rims.push_back(
         {position.x | (position.y << shared::kNodeInPartBits) | (record.shape & 0xFFFF0000U),
-         nodes.closed_reach(record)});
+         *reach});
   }
   for (CellPart& part : cells.parts) {
     if (part.rims.empty()) continue;
@@ -209,7 +205,8 @@ void add_rims(const Patch& patch, const CellNodes& nodes, const PatchSamples& sa
 /// Leaves out the parts that draw nothing.
 PatchCells without_empty_parts(PatchCells cells) {
   std::erase_if(cells.parts, [](const CellPart& part) {
-    return part.runs.empty() && part.edge_runs.empty() && part.strip.empty() && part.rims.empty();
+    return part.runs.empty() && part.edge_runs.empty() && part.strip.empty() &&
+           part.borders.empty() && part.rims.empty();
   });
   return cells;
 }
@@ -223,13 +220,10 @@ PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
   };
   PatchCells cells =
       make_cells_alone({patch, kinds_of(patch, kind_of), &nodes, samples.height_step});
-  add_rims(patch, nodes, samples, cells, [&](const SampleRecord& record) {
-    const bool border = (record.node & shared::kBorderBit) != 0;
-    assert((!border || record.gap == 0) && "margins of border splats are in their reaches");
-    return border ||
-           nodes.beside_jump(CellNodes::node_of(record), [](glm::uvec2) { return true; }) ||
-           nodes.off_edges(record) > shared::kCrease;
-  });
+  const PatchBorder border(patch);
+  add_border_cells(patch, border, nodes, cells);
+  add_rims(patch, samples, cells,
+           [&](const SampleRecord& record) { return rim_reach(nodes, border, record); });
   return without_empty_parts(std::move(cells));
 }
 
@@ -256,9 +250,11 @@ PatchCells make_cells(const PatchLevel& level, const PatchSamples& samples) {
   };
   PatchCells cells =
       make_cells_alone({level.grid, kinds_of(level.grid, kind_of), &nodes, samples.height_step});
-  add_rims(level.grid, nodes, samples, cells, [&](const SampleRecord& record) {
-    return nodes.beside_jump(CellNodes::node_of(record), is_whole);
-  });
+  add_rims(level.grid, samples, cells,
+           [&](const SampleRecord& record) -> std::optional<std::uint32_t> {
+             if (!nodes.beside_jump(CellNodes::node_of(record), is_whole)) return {};
+             return nodes.closed_reach(record, true);
+           });
   return without_empty_parts(std::move(cells));
 }
 

@@ -1,60 +1,20 @@
-// A patch as cells: its heights without the holes around them, the runs of cells that have all four
-// samples, and the splats for what those do not reach.
+// Makes the cells of patches.
 #pragma once
 
-#include <cstdint>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <vector>
-
 #include "common/patch.h"
-#include "renderer/geometry/facing.h"
+#include "renderer/geometry/cell_parts.h"
 #include "renderer/geometry/levels.h"
 #include "renderer/geometry/samples.h"
 
 namespace relief {
 
-/// Where the heights of a row of nodes are kept: from its first sample to its last, holes between
-/// them as shared::kHoleTexel.
-struct CellRow {
-  std::uint32_t base = 0;  ///< height of node i: heights[base + i], modulo 2^32
-  std::uint32_t span = 0;  ///< first node; in the upper half the one after the last
-};
-
-/// The splat of a sample at a border or beside a jump to another sheet, or of one whose plane is
-/// off the cells by more than shared::kCrease: as in SampleRecord but that its node is counted in
-/// the part, its height is found by that, and the margins that close its gaps are in its reaches.
-struct RimRecord {
-  std::uint32_t node = 0;  ///< column, row, slopes: a byte each
-  std::uint32_t reach = 0;
-};
-
-/// A square of a patch, at most shared::kPartCells a side, that is culled and drawn as one.
-struct CellPart {
-  glm::uvec2 corner{0};                  ///< its first node
-  std::vector<std::uint32_t> runs;       ///< packed as shaders/include/shared.h says, row by row
-  std::vector<std::uint32_t> edge_runs;  ///< the same of a level's cells that holes touch
-  std::vector<std::uint16_t> strip;      ///< instead of runs: nodes of a triangle strip, packed
-  std::vector<RimRecord> rims;           ///< row by row
-  glm::dvec3 centre{0.0};  ///< of a sphere about its cells and splats, grid frame (cells)
-  double radius = 0.0;     ///< of that sphere, cells
-  NormalBounds normals;    ///< of its cells; empty if it has splats, which lean as they like
-};
-
-/// A patch as cells: about two bytes a sample of heights, and less than half as much of all else
-/// where patches are smooth and large.
-struct PatchCells {
-  std::vector<std::uint16_t> heights;  ///< height indices, spans row by row
-  std::vector<CellRow> rows;           ///< of each row of nodes and one without any beyond the last
-  std::vector<CellPart> parts;         ///< those that draw something
-};
-
 /// Makes the cells of a patch. `samples` are its own.
 ///
 /// A cell is drawn if all four samples are valid and no edge rises by more than kSteepest cells:
 /// what mesh_of_patches.h makes for the ray tracer, halved along the same diagonal. (A fixed one:
-/// corrected interpolation, which the border splats follow, has it too, so that images of all
-/// three agree, and a run needs no bit a cell to say which.)
+/// corrected interpolation, which the splats follow, has it too, so that images of all
+/// three agree, and a run needs no bit a cell to say which.) A cell with holes at its corners has
+/// what PatchBorder gives of it.
 [[nodiscard]] PatchCells make_cells(const Patch& patch, const PatchSamples& samples);
 
 /// Makes those of a patch that ends where others begin: its whole cells (cell_triangles), as

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <memory>
 #include <span>
 #include <unordered_map>
 #include <utility>
 
-#include "common/image/srgb.h"
 #include "common/mesh/mesh_texture.h"
 #include "common/mesh/normal_texture.h"
 #include "common/octahedral.h"
 #include "common/seams/cell_triangles.h"
 #include "common/seams/make_seams.h"
+#include "renderer/geometry/mesh_border.h"
+#include "renderer/geometry/mesh_vertices.h"
 #include "renderer/geometry/patch_normals.h"
 #include "renderer/geometry/proxy/proxy.h"
 #include "renderer/shading/materials.h"
@@ -21,34 +21,6 @@
 
 namespace relief {
 namespace {
-
-constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
-
-/// Adds a patch's samples and returns for each node which vertex it has become.
-std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bool coloured,
-                                        TriangleMesh& mesh) {
-  std::vector<std::uint32_t> vertices(patch.heights.size(), kNoVertex);
-  const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
-  const glm::mat3 axes(patch.axes);
-  for (std::uint32_t j = 0; j < patch.height; ++j) {
-    for (std::uint32_t i = 0; i < patch.width; ++i) {
-      if (patch.at(i, j) == kHole) continue;
-      vertices[std::size_t{j} * patch.width + i] =
-          static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.push_back(position_of(patch, i, j));
-      mesh.normals.push_back(glm::normalize(axes * normal_at_node(normals, i, j)));
-      if (coloured) {
-        const glm::vec3 colour = patch.colours.empty()
-                                     ? glm::vec3(shared::kNeutralGrey)
-                                     : linear_from_srgb8(texel_at(patch.colours, i, j));
-        mesh.colours.emplace_back(colour, 1.0F);
-      }
-      mesh.uvs.emplace_back(i, j);
-      mesh.patches.push_back(id + 1);
-    }
-  }
-  return vertices;
-}
 
 /// The texture coordinates of grid coordinates; those of a node are its texel's middle.
 glm::vec2 texcoord_of(const AttributeMap<glm::u8vec3>& map, glm::dvec2 uv) {
@@ -100,7 +72,8 @@ PatchNormalMap normal_map_over(const Patch& patch) {
           glm::mat3(patch.axes), static_cast<float>(map.scale)};
 }
 
-void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
+/// Adds the cells of a patch: whole ones alone, or also half of those of three samples.
+void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices, bool whole,
                    TriangleMesh& mesh) {
   const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
   const auto joined = [&](std::size_t a, std::size_t b) {
@@ -111,39 +84,15 @@ void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertice
     for (std::size_t i = 0; i + 1 < patch.width; ++i) {
       const std::size_t node = j * patch.width + i;
       const std::size_t above = node + patch.width;
-      if (joined(node, node + 1) && joined(node + 1, above + 1)) {
+      if (vertices[node] == kNoVertex || vertices[above + 1] == kNoVertex) continue;
+      const bool lower = joined(node, node + 1) && joined(node + 1, above + 1);
+      const bool upper = joined(node, above) && joined(above, above + 1);
+      if (lower && (!whole || vertices[above] != kNoVertex))
         mesh.triangles.push_back({vertices[node], vertices[node + 1], vertices[above + 1]});
-      }
-      if (joined(node, above) && joined(above, above + 1)) {
+      if (upper && (!whole || vertices[node + 1] != kNoVertex))
         mesh.triangles.push_back({vertices[node], vertices[above + 1], vertices[above]});
-      }
     }
   }
-}
-
-/// The colour of a map at the texel nearest to grid coordinates, linear.
-glm::vec3 colour_at(const Patch& patch, glm::dvec2 uv) {
-  const AttributeMap<glm::u8vec3>& map = patch.colours;
-  if (map.empty()) return glm::vec3(shared::kNeutralGrey);
-  const glm::dvec2 most(map.width - 1, map.height - 1);
-  const glm::uvec2 texel(
-      glm::clamp(glm::round(uv * static_cast<double>(map.scale)), glm::dvec2(0.0), most));
-  return linear_from_srgb8(map.texels[std::size_t{texel.y} * map.width + texel.x]);
-}
-
-/// The normal of a map at grid coordinates, bilinear, in the patch frame.
-glm::vec3 normal_at(const AttributeMap<glm::i16vec2>& map, glm::dvec2 uv) {
-  const glm::dvec2 most(map.width - 1, map.height - 1);
-  const glm::dvec2 texel = glm::clamp(uv * static_cast<double>(map.scale), glm::dvec2(0.0), most);
-  const glm::dvec2 low = glm::min(glm::floor(texel), glm::max(most - 1.0, glm::dvec2(0.0)));
-  const glm::vec2 part(texel - low);
-  const auto at = [&](std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t x = std::min(static_cast<std::uint32_t>(low.x) + i, map.width - 1);
-    const std::uint32_t y = std::min(static_cast<std::uint32_t>(low.y) + j, map.height - 1);
-    return glm::vec2(map.texels[std::size_t{y} * map.width + x]) / 32767.0F;
-  };
-  return unit_from_octahedral(
-      glm::mix(glm::mix(at(0, 0), at(1, 0), part.x), glm::mix(at(0, 1), at(1, 1), part.x), part.y));
 }
 
 /// Adds the whole cells of a patch that meets others, and its part of the seams. Returns each seam
@@ -164,18 +113,13 @@ std::unordered_map<std::uint32_t, std::uint32_t> add_joined_triangles(
   std::unordered_map<std::uint32_t, std::uint32_t> added;
   const auto vertex_of = [&](std::uint32_t corner) {
     if ((corner & kSeamVertexBit) == 0) return vertices[corner];
-    const auto next = static_cast<std::uint32_t>(mesh.positions.size());
-    const auto [found, is_new] = added.try_emplace(corner, next);
+    const auto [found, is_new] = added.try_emplace(corner, 0);
     if (!is_new) return found->second;
     const glm::dvec3 position = seams.vertices[corner & ~kSeamVertexBit].position;
     const glm::dvec2 uv =
         glm::dvec2(glm::transpose(patch.axes) * (position - patch.origin)) / patch.spacing;
-    mesh.positions.push_back(position);
-    mesh.normals.push_back(glm::normalize(glm::mat3(patch.axes) * normal_at(normals, uv)));
-    if (coloured) mesh.colours.emplace_back(colour_at(patch, uv), 1.0F);
-    mesh.uvs.emplace_back(uv);
-    mesh.patches.push_back(id + 1);
-    return next;
+    found->second = add_vertex_between(patch, id, normals, position, uv, coloured, mesh);
+    return found->second;
   };
   for (const Triangle& t : triangles)
     mesh.triangles.push_back({vertex_of(t[0]), vertex_of(t[1]), vertex_of(t[2])});
@@ -184,7 +128,8 @@ std::unordered_map<std::uint32_t, std::uint32_t> add_joined_triangles(
 
 }  // namespace
 
-Result<TriangleMesh> mesh_of_patches(const PatchModel& model, std::vector<SeamCopy>* copies) {
+Result<TriangleMesh> mesh_of_patches(const PatchModel& model, MeshBorder border,
+                                     std::vector<SeamCopy>* copies) {
   const std::size_t samples = count_samples(model);
   if (samples >= kNoVertex) {
     return make_error(
@@ -218,7 +163,9 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model, std::vector<SeamCo
           copies->push_back({vertex, first_seam + (corner & ~kSeamVertexBit)});
       }
     } else {
-      add_triangles(patch, vertices, mesh);
+      const bool curve = border == MeshBorder::Curve;
+      add_triangles(patch, vertices, curve, mesh);
+      if (curve) add_border(patch, p, model.has_colours, vertices, mesh);
     }
     add_texture(patch, first, mesh);
     if (PatchNormalMap map = normal_map_over(patch); map.texture != nullptr) {
@@ -230,6 +177,7 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model, std::vector<SeamCo
     mesh.triangle_textures.resize(mesh.triangles.size(), kNoMaterial);
     mesh.texcoords.resize(mesh.triangles.size());
   }
+  if (!mesh.set_backs.empty()) mesh.set_backs.resize(mesh.triangles.size(), 0.0F);
   mesh.materials = materials_of_patches(model, mesh.patches);
   return mesh;
 }

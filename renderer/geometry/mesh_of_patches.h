@@ -16,6 +16,10 @@ struct SeamCopy {
   std::uint32_t seam = 0;    ///< counted through the whole model
 };
 
+/// Whether a mesh has what patches that overlap cover of cells that holes cut (PatchBorder), or
+/// ends at their samples.
+enum class MeshBorder : std::uint8_t { Curve, Samples };
+
 /// The triangulation of all patches: each grid cell halved along the diagonal from (0, 0) to (1, 1)
 /// ([Ochotta 2008], section 3.5), but for triangles with a hole at a corner and those along whose
 /// cell's edge it rises by more than kSteepest cells, where a patch jumps from one sheet of the
@@ -28,10 +32,9 @@ struct SeamCopy {
 /// that patch's normal and colour; these are added to `copies` if it is given.
 ///
 /// Other patches are not joined: each has its own vertices, and where their margins overlap there
-/// are two surfaces, some hundredths of a cell apart, of which a ray meets the nearer. Between the
-/// ragged borders of two patches that do not overlap there is nothing, where `onepass` draws splats
-/// that reach half a cell beyond the border. Fails if there are more samples than 32 bits count.
-Result<TriangleMesh> mesh_of_patches(const PatchModel& model,
+/// are two surfaces, some hundredths of a cell apart, of which a ray meets the nearer. Fails if
+/// there are more samples than 32 bits count.
+Result<TriangleMesh> mesh_of_patches(const PatchModel& model, MeshBorder border = MeshBorder::Curve,
                                      std::vector<SeamCopy>* copies = nullptr);
 
 /// TriangleMesh::bodies of a model with instances; `mesh`: of the model once these are baked.

@@ -153,7 +153,7 @@ std::vector<double> sample_values(const PatchModel& model, std::size_t scalar) {
 
 Result<Points> sample_points(const PatchModel& model) {
   std::vector<SeamCopy> copies;
-  RELIEF_TRY_ASSIGN(auto mesh, mesh_of_patches(model, &copies));
+  RELIEF_TRY_ASSIGN(auto mesh, mesh_of_patches(model, MeshBorder::Samples, &copies));
   if (!copies.empty()) {
     std::vector<std::uint32_t> numbers(mesh.positions.size(), 0);
     for (const SeamCopy& copy : copies) numbers[copy.vertex] = kNotMade;
@@ -170,7 +170,7 @@ Result<Points> sample_points(const PatchModel& model) {
 
 Result<Points> surface_mesh(const PatchModel& model) {
   std::vector<SeamCopy> copies;
-  RELIEF_TRY_ASSIGN(auto mesh, mesh_of_patches(model, &copies));
+  RELIEF_TRY_ASSIGN(auto mesh, mesh_of_patches(model, MeshBorder::Samples, &copies));
   if (!model.joined.empty()) {
     weld(std::move(copies), mesh);
     const bool has_border = std::any_of(model.joined.begin(), model.joined.end(),

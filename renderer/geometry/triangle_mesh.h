@@ -43,6 +43,10 @@ struct TriangleMesh {
   /// Patches overlap: what is nearer than this behind a surface, along the view axis, is the same
   /// surface. World units; 0 for an input mesh.
   double layer_gap = 0.0;
+  /// How much farther along a ray each triangle counts when the nearest is looked for, world units:
+  /// those at borders of patches that overlap are behind the whole cells of the next. Empty: none;
+  /// else as long as `triangles`.
+  std::vector<float> set_backs;
   /// Colours finer than the vertices', which they replace. The first two are empty or as long as
   /// `triangles`, whose textures are indices into `textures`, or kNoMaterial: the vertices'
   /// colours.

@@ -15,7 +15,7 @@
 
 namespace relief {
 
-/// Where a part's runs and rims are on the GPU.
+/// Where what a part draws is on the GPU.
 struct PartBuffers {
   std::uint32_t page = 0;
   std::uint32_t first_run = 0;  ///< in that page
@@ -23,6 +23,8 @@ struct PartBuffers {
   std::uint32_t edge_runs = 0;  ///< follow them
   std::uint32_t first_rim = 0;
   std::uint32_t rims = 0;
+  std::uint32_t first_border = 0;
+  std::uint32_t borders = 0;
   std::uint32_t first_strip = 0;  ///< node of its strip
   std::uint32_t strip = 0;        ///< nodes of it
 };
@@ -54,13 +56,14 @@ struct CellPageData {
   std::vector<std::uint16_t> heights;  ///< 16 bits a node, as PatchCells has them
   std::vector<CellRow> rows;           ///< the first has no nodes, as has the one after each patch
   std::vector<std::uint32_t> runs;     ///< CellPart::runs
+  std::vector<BorderCell> borders;
   std::vector<RimRecord> rims;
   std::vector<std::uint16_t> strips;  ///< CellPart::strip
 
   [[nodiscard]] std::size_t bytes() const {
     return (heights.size() + strips.size()) * sizeof(std::uint16_t) +
            rows.size() * sizeof(CellRow) + runs.size() * sizeof(std::uint32_t) +
-           rims.size() * sizeof(RimRecord);
+           borders.size() * sizeof(BorderCell) + rims.size() * sizeof(RimRecord);
   }
 };
 
@@ -70,6 +73,7 @@ struct CellPage {
   Table heights;
   Table rows;
   Table runs;
+  Table borders;
   Table rims;
   std::optional<Buffer> strips;
   std::optional<VertexArray> attributes;  ///< of strips: their nodes, and CellStore::positions

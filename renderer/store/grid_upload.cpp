@@ -24,6 +24,13 @@ glm::ivec4 map_position(const AtlasSpot& spot, std::int32_t scale) {
   return {spot.x, spot.y, spot.layer, scale};
 }
 
+/// `model` outlives it.
+MeetsOthers meets_others(const PatchModel& model) {
+  return [&model](const Patch& patch) {
+    return run_of(model, static_cast<std::size_t>(&patch - model.patches.data())) != nullptr;
+  };
+}
+
 /// The patches that grids are levels of, each once, and which of them each grid's is.
 struct WholePatches {
   PatchList patches;
@@ -115,7 +122,7 @@ Result<GridMaps> GridUpload::make_maps(const Gl& gl) {
     made.colours = std::move(maps.texture);
   }
   if (needs_.masks && !coarser_.empty()) {
-    RELIEF_TRY_ASSIGN(MapArray maps, upload_masks(gl, whole.patches));
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_masks(gl, whole.patches, meets_others(model_)));
     set_map_positions(
         whole, maps.spots, &shared::PatchInfo::masks, [](const Patch&) { return 1; }, grids_);
     made.masks = std::move(maps.texture);
@@ -145,7 +152,7 @@ MapBands GridUpload::make_bands() {
     made.colours = std::move(band);
   }
   if (needs_.masks) {
-    auto [band, spots] = pack_masks(whole.patches);
+    auto [band, spots] = pack_masks(whole.patches, meets_others(model_));
     set_map_positions(
         whole, spots, &shared::PatchInfo::masks, [](const Patch&) { return 1; }, grids_);
     made.masks = std::move(band);

@@ -72,8 +72,9 @@ PackedMaps pack_colours(const PatchList& patches) {
               [](const Patch& patch) { return padded_colours(patch, MipRoom()); });
 }
 
-PackedMaps pack_masks(const PatchList& patches) {
-  return pack(patches, kBandWidth, 1, [](const Patch& patch) { return padded_mask(patch); });
+PackedMaps pack_masks(const PatchList& patches, const MeetsOthers& meets) {
+  return pack(patches, kBandWidth, 1,
+              [&](const Patch& patch) { return padded_mask(patch, meets(patch)); });
 }
 
 }  // namespace relief

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -52,6 +53,7 @@ struct PackedMaps {
 [[nodiscard]] PackedMaps pack_heights(const std::vector<const Patch*>& patches);
 [[nodiscard]] PackedMaps pack_normals(const std::vector<const Patch*>& patches);
 [[nodiscard]] PackedMaps pack_colours(const std::vector<const Patch*>& patches);
-[[nodiscard]] PackedMaps pack_masks(const std::vector<const Patch*>& patches);
+[[nodiscard]] PackedMaps pack_masks(const std::vector<const Patch*>& patches,
+                                    const std::function<bool(const Patch&)>& meets);
 
 }  // namespace relief

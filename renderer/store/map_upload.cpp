@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@
 
 #include "common/image/srgb.h"
 #include "common/octahedral.h"
+#include "renderer/geometry/patch_border.h"
 #include "renderer/geometry/patch_normals.h"
 #include "shaders/include/shared.h"
 
@@ -131,12 +133,15 @@ PaddedMap<std::uint16_t> padded_heights(const Patch& patch) {
   return map;
 }
 
-PaddedMap<std::uint8_t> padded_mask(const Patch& patch) {
+PaddedMap<std::uint8_t> padded_mask(const Patch& patch, bool meets) {
   PaddedMap<std::uint8_t> map{patch.width + 2, patch.height + 2, {}};
-  map.texels.resize(std::size_t{map.width} * map.height, 0);
-  for (std::uint32_t j = 0; j < patch.height; ++j) {
-    for (std::uint32_t i = 0; i < patch.width; ++i) {
-      if (patch.at(i, j) != kHole) map.texels[std::size_t{j + 1} * map.width + i + 1] = 255;
+  map.texels.reserve(std::size_t{map.width} * map.height);
+  const PatchBorder border(patch);
+  for (std::uint32_t j = 0; j < map.height; ++j) {
+    for (std::uint32_t i = 0; i < map.width; ++i) {
+      const glm::i32vec2 node = glm::i32vec2(i, j) - 1;
+      const float texel = meets ? (border.is_sample(node) ? 1.0F : 0.0F) : border.mean_at(node);
+      map.texels.push_back(static_cast<std::uint8_t>(std::lround(255.0F * texel)));
     }
   }
   return map;
@@ -187,10 +192,11 @@ Result<MapArray> upload_heights(const Gl& gl, const PatchList& patches) {
   return upload(gl, patches, height_format(), sizes, 0, padded_heights);
 }
 
-Result<MapArray> upload_masks(const Gl& gl, const PatchList& patches) {
+Result<MapArray> upload_masks(const Gl& gl, const PatchList& patches, const MeetsOthers& meets) {
   std::vector<glm::uvec2> sizes;
   for (const Patch* patch : patches) sizes.emplace_back(patch->width + 2, patch->height + 2);
-  return upload(gl, patches, mask_format(), sizes, 1, padded_mask);
+  return upload(gl, patches, mask_format(), sizes, 1,
+                [&](const Patch& patch) { return padded_mask(patch, meets(patch)); });
 }
 
 Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches) {

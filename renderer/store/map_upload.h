@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
@@ -22,6 +23,8 @@ struct MapArray {
 
 /// The patches whose maps are uploaded.
 using PatchList = std::vector<const Patch*>;
+/// Whether a patch of a list meets others (PatchModel::joined).
+using MeetsOthers = std::function<bool(const Patch&)>;
 
 /// The room that a kind of map takes for its mip levels.
 struct MipRoom {
@@ -43,7 +46,7 @@ struct PaddedMap {
 
 /// The map of one patch as the functions below upload it.
 [[nodiscard]] PaddedMap<std::uint16_t> padded_heights(const Patch& patch);
-[[nodiscard]] PaddedMap<std::uint8_t> padded_mask(const Patch& patch);
+[[nodiscard]] PaddedMap<std::uint8_t> padded_mask(const Patch& patch, bool meets);
 [[nodiscard]] PaddedMap<glm::i16vec2> padded_normals(const Patch& patch, const MipRoom& room);
 [[nodiscard]] PaddedMap<glm::u8vec4> padded_colours(const Patch& patch, const MipRoom& room);
 
@@ -95,8 +98,9 @@ Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches);
 /// `nearest`: lookups take the nearest texel, for colours that stand for labels.
 Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches, bool nearest = false);
 
-/// Masks: 1 at samples, 0 at holes and in a ring around each mask.
-Result<MapArray> upload_masks(const Gl& gl, const PatchList& patches);
+/// Masks: 1 at samples, 0 at holes and in a ring around each mask; of patches that overlap others
+/// the means of PatchBorder.
+Result<MapArray> upload_masks(const Gl& gl, const PatchList& patches, const MeetsOthers& meets);
 
 /// Texels per cell of a patch's map on the GPU (0 for the one texel of a patch without colours).
 [[nodiscard]] std::int32_t normal_scale(const Patch& patch);

@@ -3,8 +3,8 @@
 
 layout(binding = RELIEF_TEXTURE_MASKS) uniform sampler2DArray masks;
 
-// Whether the patch has a surface at grid coordinates `position` of a level: up to half-way from a sample
-// to a hole, as far as its splats reach.
+// Whether the patch has a surface at grid coordinates `position` of a level: as far as its finest
+// cells and splats reach.
 bool within_mask(PatchInfo info, vec2 position) {
   if (info.extent.w <= 1.0) return true;
   // A texel around each mask is empty.

@@ -182,6 +182,7 @@ using glm::vec4;
 #define RELIEF_TEXTURE_SEAM_VERTICES 27
 #define RELIEF_TEXTURE_CLIP_RANGES 28
 #define RELIEF_TEXTURE_CLIP_LINES 29
+#define RELIEF_TEXTURE_BORDER_CELLS 30
 #define RELIEF_TEXTURE_SIDES 38
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of [Ochotta 2008].
@@ -272,6 +273,16 @@ RELIEF_CONST float kSetBackStep = 1.0f / 32.0f;
 /// A node of a strip of a part's cells is its column in the part and, shifted, its row.
 RELIEF_CONST uint kStripRowShift = 5u;
 RELIEF_CONST uint kStripColumnMask = (1u << kStripRowShift) - 1u;
+
+/// A border cell (renderer/geometry/patch_border.h) is two words. The first: column and row of its
+/// lower left node in the part, plus one; the corners of its polygon (BorderPolygon::slots); how
+/// far it is set back, as a run. The second: of its edges how far from the sample to the hole the
+/// polygon reaches, a byte each, in steps of kBorderStep cells. It is drawn as a fan of three
+/// triangles, some of them empty.
+RELIEF_CONST uint kBorderSlotsShift = 16u;
+RELIEF_CONST uint kBorderSetBackShift = 24u;
+RELIEF_CONST float kBorderStep = 1.0f / 255.0f;
+RELIEF_CONST int kBorderVertices = 9;
 
 /// Cells of a part of a patch, each way: two runs. What faces away is left out part by part: a
 /// quarter of the Dragon's runs, a third in parts of 14. In parts of 7 commands and short runs cost

@@ -7,7 +7,9 @@
 #include <glm/vector_relational.hpp>
 
 #include "common/seams/cell_triangles.h"
+#include "renderer/geometry/border_cells.h"
 #include "renderer/geometry/cell_nodes.h"
+#include "renderer/geometry/patch_border.h"
 #include "renderer/geometry/samples.h"
 #include "shaders/include/shared.h"
 
@@ -15,7 +17,8 @@ namespace relief {
 namespace {
 
 /// Nodes around a range whose heights its splats depend on: reaches look one node further, at
-/// slopes that look another one further, at borders beside their row.
+/// slopes that look another one further, at borders beside their row. Border cells look as far: one
+/// node beyond the range, and two about that.
 constexpr std::uint32_t kMargin = 3;
 
 /// A range with a margin, as far as the patch has nodes.
@@ -40,13 +43,12 @@ std::uint32_t byte_of(std::uint32_t packed, std::uint32_t side) {
 }
 
 /// Adds a splat's parallelogram, as shaders/include/splats.glsl has it (splat_corner).
-void add_splat(const CellNodes& nodes, const SampleRecord& record, const PatchSamples& samples,
+void add_splat(const SampleRecord& record, std::uint32_t reach, const PatchSamples& samples,
                glm::uvec2 first, std::vector<GridTriangle>& triangles) {
   const glm::dvec2 node(first + CellNodes::node_of(record));
   const glm::dvec3 centre(node, (record.shape & 0xFFFFU) * double{samples.height_step});
   const glm::i8vec2 steps(glm::u8vec2(record.shape >> 16U, record.shape >> 24U));
   const glm::dvec2 slope = double{samples.slope_step} * glm::dvec2(steps);
-  const std::uint32_t reach = nodes.closed_reach(record);
   const auto side = [reach](std::uint32_t c) {
     return double{shared::kReachStep} * byte_of(reach, c);
   };
@@ -59,20 +61,34 @@ void add_splat(const CellNodes& nodes, const SampleRecord& record, const PatchSa
   triangles.push_back({low_left, high_right, corner(-side(0), side(3))});
 }
 
-/// Whether a sample has a splat beside the cells: as make_cells() has it.
-bool has_rim(const CellNodes& nodes, const SampleRecord& record) {
-  const glm::uvec2 node = CellNodes::node_of(record);
-  return nodes.is_border(nodes.index(node)) ||
-         nodes.beside_jump(node, [](glm::uvec2) { return true; }) ||
-         nodes.off_edges(record) > shared::kCrease;
-}
-
 /// Calls `visit` with the lower left node of each cell of a range, counted in the patch.
 template <class Visit>
 void for_each_cell(const NodeRange& range, const Visit& visit) {
   for (std::uint32_t j = range.first.y; j < range.last.y; ++j) {
     for (std::uint32_t i = range.first.x; i < range.last.x; ++i) visit(glm::uvec2(i, j));
   }
+}
+
+/// Calls `visit` with the lower left node of each cell that touches a range, those at the edge of
+/// the patch included.
+template <class Visit>
+void for_each_touching_cell(const NodeRange& range, const Visit& visit) {
+  const glm::i32vec2 first = glm::i32vec2(range.first) - 1;
+  const glm::i32vec2 last(range.last);
+  for (glm::i32vec2 cell = first; cell.y <= last.y; ++cell.y) {
+    for (cell.x = first.x; cell.x <= last.x; ++cell.x) visit(cell);
+  }
+}
+
+/// Adds the triangles of what a patch covers of a border cell; `first`: the node where its window
+/// begins.
+void add_polygon(const PatchBorder& border, const BorderPolygon& polygon, glm::uvec2 first,
+                 std::vector<GridTriangle>& triangles) {
+  const auto corner = [&](std::uint32_t c) {
+    return glm::dvec3(glm::dvec2(first), 0.0) + border.position_of(polygon.corners[c]);
+  };
+  for (std::uint32_t c = 2; c < polygon.count; ++c)
+    triangles.push_back({corner(0), corner(c - 1), corner(c)});
 }
 
 }  // namespace
@@ -137,12 +153,19 @@ void add_cells(const Patch& patch, const NodeRange& range, bool joined, DrawnTri
   for_each_cell(range, [&](glm::uvec2 node) {
     if (nodes.is_cell(node - wide.first)) add_cell(patch, node, drawn.cells);
   });
+  const PatchBorder border(window);
+  for_each_touching_cell(range, [&](glm::i32vec2 cell) {
+    border.for_each_polygon(cell - glm::i32vec2(wide.first), [&](const BorderPolygon& polygon) {
+      add_polygon(border, polygon, wide.first, drawn.splats);
+    });
+  });
   for (const SampleRecord& record : samples.records) {
     const glm::uvec2 node = wide.first + CellNodes::node_of(record);
     const bool within = glm::all(glm::lessThanEqual(range.first, node)) &&
                         glm::all(glm::lessThanEqual(node, range.last));
-    if (within && has_rim(nodes, record))
-      add_splat(nodes, record, samples, wide.first, drawn.splats);
+    if (!within) continue;
+    if (const auto reach = rim_reach(nodes, border, record))
+      add_splat(record, *reach, samples, wide.first, drawn.splats);
   }
 }
 

@@ -21,6 +21,7 @@ void bind_page(const Gl& gl, const CellPage& page) {
   gl.BindTextureUnit(RELIEF_TEXTURE_CELL_HEIGHTS, page.heights.texture.id());
   gl.BindTextureUnit(RELIEF_TEXTURE_CELL_ROWS, page.rows.texture.id());
   gl.BindTextureUnit(RELIEF_TEXTURE_CELL_RUNS, page.runs.texture.id());
+  gl.BindTextureUnit(RELIEF_TEXTURE_BORDER_CELLS, page.borders.texture.id());
   gl.BindTextureUnit(RELIEF_TEXTURE_RIMS, page.rims.texture.id());
 }
 
@@ -80,7 +81,7 @@ CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList&
       draws.pages.push_back(
           {&store.pages[page], front_alone, upload(gl, strip_commands(store, share)),
            upload(gl, run_commands(store, share)), upload(gl, edge_commands(store, share)),
-           upload(gl, rim_commands(store, share))});
+           upload(gl, border_commands(store, share)), upload(gl, rim_commands(store, share))});
     }
   };
   add(parts.both, false);
@@ -104,8 +105,8 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
   // From the normals' side runs are clockwise, because their first vertex is there twice, and
   // strips and quads are not.
   gl.CullFace(behind ? GL_BACK : GL_FRONT);
-  const auto draw_runs = [&](std::optional<Commands> CellDraws::Page::*member,
-                             const Program* program) {
+  const auto draw = [&](std::optional<Commands> CellDraws::Page::*member, const Program* program,
+                        GLenum primitive) {
     for (const CellDraws::Page& page : draws.pages) {
       const std::optional<Commands>& runs = page.*member;
       if (!runs) continue;
@@ -114,12 +115,13 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
       gl.UseProgram(program->id());
       bind_page(gl, *page.page);
       gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, runs->buffer.id());
-      gl.MultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, runs->count, 0);
+      gl.MultiDrawArraysIndirect(primitive, nullptr, runs->count, 0);
     }
   };
-  draw_runs(&CellDraws::Page::runs, programs.runs ? &*programs.runs : &programs.main);
-  draw_runs(&CellDraws::Page::edges, programs.edges ? &*programs.edges : nullptr);
+  draw(&CellDraws::Page::runs, programs.runs ? &*programs.runs : &programs.main, GL_TRIANGLE_STRIP);
+  draw(&CellDraws::Page::edges, programs.edges ? &*programs.edges : nullptr, GL_TRIANGLE_STRIP);
   gl.CullFace(behind ? GL_FRONT : GL_BACK);
+  draw(&CellDraws::Page::borders, programs.borders ? &*programs.borders : nullptr, GL_TRIANGLES);
   gl.UseProgram(programs.rims->id());
   for (const CellDraws::Page& page : draws.pages) {
     if (!page.rims) continue;

@@ -29,6 +29,7 @@ struct CellDraws {
     std::optional<Commands> strips;
     std::optional<Commands> runs;
     std::optional<Commands> edges;
+    std::optional<Commands> borders;
     std::optional<Commands> rims;
   };
   std::vector<Page> pages;
@@ -50,7 +51,7 @@ void add_seams(const Gl& gl, const PatchStore& store, const View& view, const Si
                                         const SidedList& parts);
 
 /// Runs the programs over them: cells, then what reaches beyond patches, which is mostly hidden by
-/// then, then border splats. The model must be bound (BoundModel).
+/// then, then border cells and splats. The model must be bound (BoundModel).
 void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws,
                 SeenFrom seen = SeenFrom::Anywhere);
 

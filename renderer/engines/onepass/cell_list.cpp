@@ -61,6 +61,18 @@ std::vector<ArraysCommand> edge_commands(const CellStore& store,
   return commands;
 }
 
+std::vector<ArraysCommand> border_commands(const CellStore& store,
+                                           const std::vector<std::uint32_t>& parts) {
+  std::vector<ArraysCommand> commands;
+  for (const std::uint32_t p : parts) {
+    const PartBuffers& part = store.parts[p].buffers;
+    if (part.borders == 0) continue;
+    commands.push_back({shared::kBorderVertices * part.borders, 1,
+                        shared::kBorderVertices * part.first_border, p});
+  }
+  return commands;
+}
+
 std::vector<ElementsCommand> rim_commands(const CellStore& store,
                                           const std::vector<std::uint32_t>& parts) {
   std::vector<ElementsCommand> commands;

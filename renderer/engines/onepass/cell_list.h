@@ -36,7 +36,11 @@ void leave_out_backs(const PatchStore& store, const View& view, std::vector<std:
 [[nodiscard]] std::vector<ArraysCommand> edge_commands(const CellStore& store,
                                                        const std::vector<std::uint32_t>& parts);
 
-/// Commands that draw their border splats, at most kQuadsPerCommand each.
+/// Commands that draw their border cells.
+[[nodiscard]] std::vector<ArraysCommand> border_commands(const CellStore& store,
+                                                         const std::vector<std::uint32_t>& parts);
+
+/// Commands that draw the splats beside their cells, at most kQuadsPerCommand each.
 [[nodiscard]] std::vector<ElementsCommand> rim_commands(const CellStore& store,
                                                         const std::vector<std::uint32_t>& parts);
 

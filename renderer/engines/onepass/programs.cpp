@@ -57,6 +57,11 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, Featu
     RELIEF_TRY_ASSIGN(Program runs, make_cells("cells", "onepass/cell.vert"));
     programs.runs = std::move(runs);
   }
+  if (std::any_of(parts.begin(), parts.end(),
+                  [](const StoredPart& part) { return part.buffers.borders > 0; })) {
+    RELIEF_TRY_ASSIGN(Program borders, make_cells("border cells", "onepass/border.vert"));
+    programs.borders = std::move(borders);
+  }
   if (found != whole && store.masks) {
     RELIEF_TRY_ASSIGN(Program edges,
                       make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag",
@@ -98,6 +103,7 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, Featu
   };
   gl.ProgramUniform1f(programs.main.id(), RELIEF_UNIFORM_POSITION_STEPS, steps);
   tell(programs.runs);
+  tell(programs.borders);
   tell(programs.rims);
   tell(programs.edges);
   tell(programs.seams);

@@ -15,7 +15,8 @@ namespace relief::onepass {
 struct Programs {
   Program main;                                         ///< splats or cells
   std::optional<Program> large_sprites = std::nullopt;  ///< with sprites
-  std::optional<Program> rims = std::nullopt;           ///< with cells: their border splats
+  std::optional<Program> rims = std::nullopt;           ///< with cells: the splats beside them
+  std::optional<Program> borders = std::nullopt;        ///< cells that holes cut
   std::optional<Program> runs = std::nullopt;           ///< cells, where main draws strips of them
   std::optional<Program> edges = std::nullopt;    ///< with cells: those of levels that holes touch
   std::optional<Program> behind = std::nullopt;   ///< of layers: shading all but the first

@@ -89,6 +89,10 @@ struct EmbreeScene::Corners {
   glm::dvec3 anchor{0.0};             ///< Embree's origin there
   double scale = 1.0;                 ///< Embree's units per world unit, a power of two
   double least_distance = 0.0;        ///< from the anchor, that rounding counts for
+
+  [[nodiscard]] double set_back(std::uint32_t triangle) const {
+    return mesh->set_backs.empty() ? 0.0 : scale * mesh->set_backs[triangle];
+  }
 };
 
 /// A ray, and what it has met so far.
@@ -101,6 +105,7 @@ struct EmbreeScene::Query : EmbreeContext {
   glm::dvec3 direction;
   double entry = 0.0;  ///< depth at which it enters the mesh's box, Embree's unit
   std::optional<Hit> nearest;
+  double counted = 0.0;             ///< its depth, set back
   std::vector<Hit>* all = nullptr;  ///< takes all of them, instead of the nearest
   bool leaving = false;             ///< none but those that it leaves a body through
 };
@@ -141,16 +146,18 @@ void EmbreeScene::meet(const RTCIntersectFunctionNArguments* asked) {
     query.all->push_back(*hit);
     return;
   }
-  if (query.nearest && std::tie(query.nearest->depth, query.nearest->triangle) <=
-                           std::tie(hit->depth, hit->triangle))
+  const double counted = hit->depth + corners.set_back(hit->triangle);
+  if (query.nearest &&
+      std::tie(query.counted, query.nearest->triangle) <= std::tie(counted, hit->triangle))
     return;
   query.nearest = hit;
+  query.counted = counted;
   // Embree need not look behind it; but what is as near must still be asked about.
   auto* const ray = reinterpret_cast<RTCRayHit*>(asked->rayhit);
-  const glm::dvec3 hit_position = query.start + hit->depth * query.direction;
+  const glm::dvec3 hit_position = query.start + counted * query.direction;
   const double slack =
       kSlack * std::max(largest(hit_position - corners.anchor), corners.least_distance);
-  ray->ray.tfar = static_cast<float>(hit->depth - query.entry + slack);
+  ray->ray.tfar = static_cast<float>(counted - query.entry + slack);
 }
 
 void EmbreeScene::attach() {

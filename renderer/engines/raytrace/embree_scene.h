@@ -41,8 +41,9 @@ class EmbreeScene {
   static Result<EmbreeScene> build(const TriangleMesh& mesh, glm::dvec3 eye,
                                    const Progress& progress, RayStarts starts = RayStarts::AtEye);
 
-  /// The nearest triangle ahead of a ray's start; of several at the same depth the mesh's first,
-  /// however the hierarchy was built. The start is 0 unless the scene was built for others.
+  /// The nearest triangle ahead of a ray's start, as TriangleMesh::set_backs counts; of several at
+  /// the same depth the mesh's first, however the hierarchy was built. The start is 0 unless the
+  /// scene was built for others.
   [[nodiscard]] std::optional<Hit> find_nearest(const SightRay& ray) const;
 
   /// The nearest triangle ahead that the ray meets from its normals' other side, as one within a

@@ -254,7 +254,7 @@ TEST(Explain, ReportsPassesAndDraws) {
   EXPECT_EQ(e.passes, (Names{"visibility", "shading"}));
   ASSERT_EQ(e.draws.size(), 3U);
   EXPECT_EQ(e.draws[0].primitive, "triangle strip");
-  EXPECT_EQ(e.draws[1].program, "rims");
+  EXPECT_EQ(e.draws[1].program, "border cells");
   EXPECT_EQ(e.draws[2].program, "shading");
   const std::uint64_t pixels = std::uint64_t{settings.width} * settings.height;
   EXPECT_EQ(bytes_of(e.textures, "coordinates"), 8 * pixels);

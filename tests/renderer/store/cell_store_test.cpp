@@ -86,7 +86,9 @@ TEST_F(Stores, RowsOfEachPatchFollowARowWithoutNodes) {
   EXPECT_EQ(rows[14].span, 5U << 16U);
   ASSERT_EQ(parts.size(), 3U);
   EXPECT_EQ(parts[2].buffers.first_run, 8U);
-  EXPECT_EQ(parts[2].buffers.first_rim, 32U);
+  // The cells about the patch: two rows of six and two columns of four.
+  EXPECT_EQ(parts[2].buffers.first_border, 40U);
+  EXPECT_EQ(parts[2].buffers.first_rim, 0U);
 }
 
 }  // namespace

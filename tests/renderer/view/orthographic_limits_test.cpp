@@ -106,8 +106,9 @@ TEST_P(OrthographicLimits, AreAsRightAsPerspectiveOnes) {
   const auto perspective = compared_to_truth(seen_from(camera, 2.6));
   ASSERT_TRUE(orthographic && perspective);
   EXPECT_EQ(orthographic->coverage->holes, 0U);
-  // The images show the same sphere as large, but not the same of it: a dB.
-  EXPECT_GE(*orthographic->psnr_covered_db, *perspective->psnr_covered_db - 1.0);
+  // The images show the same sphere as large, but not the same of it: 1.5 dB. Beyond 60 dB few
+  // pixels decide, in which one image shows another of two patches that overlap.
+  EXPECT_GE(*orthographic->psnr_covered_db, std::min(*perspective->psnr_covered_db - 1.5, 60.0));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OrthographicLimits, testing::ValuesIn(test::all_engine_methods()),

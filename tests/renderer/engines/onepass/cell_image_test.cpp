@@ -75,8 +75,19 @@ TEST(CellImages, OfAPlaneAreThoseOfQuads) {
   settings.primitive = Primitive::Quad;
   const RenderResult quads = must_render(model, settings);
   std::size_t covered = 0;
+  std::size_t beyond = 0;
+  const double last = model.patches[0].width - 1.0;
   for (std::size_t k = 0; k < values(cells.image, "Z").size(); ++k) {
-    ASSERT_EQ(values(cells.image, "patch")[k], values(quads.image, "patch")[k]) << k;
+    if (values(cells.image, "patch")[k] != values(quads.image, "patch")[k]) {
+      // Beyond the outermost samples: quads are margins wider, and have corners where the curve
+      // that cells are cut off along is round.
+      EXPECT_EQ(values(cells.image, "patch")[k], 0.0F);
+      const double u = values(quads.image, "UV.U")[k];
+      const double v = values(quads.image, "UV.V")[k];
+      EXPECT_EQ(std::min({u, v, last - u, last - v}), 0.0) << u << " " << v;
+      ++beyond;
+      continue;
+    }
     if (values(cells.image, "patch")[k] == 0.0F) continue;
     ++covered;
     // A cell's plane and a quad's differ by the rounding of slopes, half a step of 1/127 of the
@@ -87,6 +98,7 @@ TEST(CellImages, OfAPlaneAreThoseOfQuads) {
     EXPECT_NEAR(values(cells.image, "N.Z")[k], values(quads.image, "N.Z")[k], 0.001);
   }
   EXPECT_GT(covered, 5000U);
+  EXPECT_LT(beyond, covered / 200);
 }
 
 TEST(CellImages, ShadeFewerFragmentsThanQuads) {
@@ -154,23 +166,19 @@ TEST(CellImages, OfAPatchLargerThanAPartHaveNoSeam) {
 }
 
 TEST(CellImages, InterpolationAffectsOnlySplats) {
-  // So smooth that there are no creases.
-  const PatchModel model = wavy_field(0.0);
+  // A ridge between columns 19 and 20 of a surface that is smooth elsewhere.
+  const PatchModel model =
+      test::height_field(40, [](double x, double y) { return 0.1 * y - 0.9 * std::abs(x); });
   RenderSettings settings = seen_from_above(model);
   const RenderResult corrected = must_render(model, settings);
   settings.interpolation = Interpolation::Direct;
   const RenderResult direct = must_render(model, settings);
-  const Patch& patch = model.patches[0];
   std::size_t different = 0;
   for (std::size_t k = 0; k < values(direct.image, "Z").size(); ++k) {
     if (values(direct.image, "Z")[k] == values(corrected.image, "Z")[k]) continue;
     ++different;
-    // A splat begins at a border sample and ends a cell and its margin from there.
-    const double u = values(direct.image, "UV.U")[k];
-    const double v = values(direct.image, "UV.V")[k];
-    const bool at_edge = std::min({u, v, patch.width - 1.0 - u, patch.height - 1.0 - v}) <= 1.5;
-    const bool at_hole = std::abs(u - 21.5) <= 2.5 && std::abs(v - 18.0) <= 3.0;
-    EXPECT_TRUE(at_edge || at_hole) << u << " " << v;
+    // A splat begins at a sample beside the ridge and ends a cell and its margin from there.
+    EXPECT_LE(std::abs(values(direct.image, "UV.U")[k] - 19.5), 2.0);
   }
   EXPECT_GT(different, 0U);
 }
