@@ -6,6 +6,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "preprocess/resample/sectors.h"
+
 namespace relief {
 namespace {
 
@@ -52,12 +54,7 @@ bool is_surrounded_within(const PatchPoints& points, const PointGrid& lookup, do
     angles.push_back(std::atan2(points.positions[p].y - y, points.positions[p].x - x));
   });
   if (angles.size() < 3) return false;
-  std::sort(angles.begin(), angles.end());
-  double widest = angles.front() + 2.0 * std::numbers::pi - angles.back();
-  for (std::size_t m = 1; m < angles.size(); ++m) {
-    widest = std::max(widest, angles[m] - angles[m - 1]);
-  }
-  return widest <= kWidestSector;
+  return widest_sectors(angles).width <= kWidestSector;
 }
 
 /// Returns the bit of a direction's octant; bits are in the order of angles.

@@ -56,17 +56,11 @@ void hold(const PatchBorder& border, const BorderPolygon& polygon, CellPart& par
 
 void add_border_cells(const Patch& patch, const PatchBorder& border, const CellNodes& nodes,
                       PatchCells& cells) {
-  const glm::i32vec2 end(patch.width, patch.height);
-  for (glm::i32vec2 cell(-1); cell.y < end.y; ++cell.y) {
-    for (cell.x = -1; cell.x < end.x; ++cell.x) {
-      border.for_each_polygon(cell, [&](const BorderPolygon& polygon) {
-        CellPart& part = cells.parts[part_at(patch, glm::uvec2(glm::max(cell, glm::i32vec2(0))))];
-        part.borders.push_back(
-            border_cell(polygon, cell, part.corner, set_back_of(polygon, nodes)));
-        hold(border, polygon, part);
-      });
-    }
-  }
+  border.for_each_polygon([&](glm::i32vec2 cell, const BorderPolygon& polygon) {
+    CellPart& part = cells.parts[part_at(patch, glm::uvec2(glm::max(cell, glm::i32vec2(0))))];
+    part.borders.push_back(border_cell(polygon, cell, part.corner, set_back_of(polygon, nodes)));
+    hold(border, polygon, part);
+  });
 }
 
 std::uint32_t set_back_steps(float steepness) {

@@ -44,19 +44,14 @@ void add_border(const Patch& patch, std::uint32_t id, bool coloured,
                            glm::dvec2(at), coloured, mesh);
     return found->second;
   };
-  const glm::i32vec2 end(patch.width, patch.height);
-  for (glm::i32vec2 cell(-1); cell.y < end.y; ++cell.y) {
-    for (cell.x = -1; cell.x < end.x; ++cell.x) {
-      border.for_each_polygon(cell, [&](const BorderPolygon& polygon) {
-        const auto corner = [&](std::uint32_t c) { return vertex_of(polygon.corners[c]); };
-        for (std::uint32_t c = 2; c < polygon.count; ++c) {
-          mesh.set_backs.resize(mesh.triangles.size(), 0.0F);
-          mesh.triangles.push_back({corner(0), corner(c - 1), corner(c)});
-          mesh.set_backs.push_back(set_back_of(patch, mesh));
-        }
-      });
+  mesh.set_backs.resize(mesh.triangles.size(), 0.0F);
+  border.for_each_polygon([&](glm::i32vec2 /*cell*/, const BorderPolygon& polygon) {
+    const auto corner = [&](std::uint32_t c) { return vertex_of(polygon.corners[c]); };
+    for (std::uint32_t c = 2; c < polygon.count; ++c) {
+      mesh.triangles.push_back({corner(0), corner(c - 1), corner(c)});
+      mesh.set_backs.push_back(set_back_of(patch, mesh));
     }
-  }
+  });
 }
 
 }  // namespace relief

@@ -84,12 +84,10 @@ void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertice
     for (std::size_t i = 0; i + 1 < patch.width; ++i) {
       const std::size_t node = j * patch.width + i;
       const std::size_t above = node + patch.width;
-      if (vertices[node] == kNoVertex || vertices[above + 1] == kNoVertex) continue;
-      const bool lower = joined(node, node + 1) && joined(node + 1, above + 1);
-      const bool upper = joined(node, above) && joined(above, above + 1);
-      if (lower && (!whole || vertices[above] != kNoVertex))
+      if (whole && (vertices[node + 1] == kNoVertex || vertices[above] == kNoVertex)) continue;
+      if (joined(node, node + 1) && joined(node + 1, above + 1))
         mesh.triangles.push_back({vertices[node], vertices[node + 1], vertices[above + 1]});
-      if (upper && (!whole || vertices[node + 1] != kNoVertex))
+      if (joined(node, above) && joined(above, above + 1))
         mesh.triangles.push_back({vertices[node], vertices[above + 1], vertices[above]});
     }
   }

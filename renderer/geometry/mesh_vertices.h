@@ -20,8 +20,8 @@ inline constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::m
 [[nodiscard]] std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id,
                                                       bool coloured, TriangleMesh& mesh);
 
-/// Adds a vertex of a patch that is none of its samples, at a position (world) and its grid
-/// coordinates, with what the maps have there. `normals`: the patch's normal_map_of().
+/// Adds a vertex between a patch's samples, or beyond them. `position`: world; `uv`: its grid
+/// coordinates, where the maps give the attributes. `normals`: the patch's normal_map_of().
 std::uint32_t add_vertex_between(const Patch& patch, std::uint32_t id,
                                  const AttributeMap<glm::i16vec2>& normals, glm::dvec3 position,
                                  glm::dvec2 uv, bool coloured, TriangleMesh& mesh);

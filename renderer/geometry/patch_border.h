@@ -62,6 +62,16 @@ class PatchBorder {
     }
   }
 
+  /// Calls `visit` with each cell that has polygons, row by row, and each of them.
+  template <class Visit>
+  void for_each_polygon(const Visit& visit) const {
+    const glm::i32vec2 end(patch_.width, patch_.height);
+    for (glm::i32vec2 cell(-1); cell.y < end.y; ++cell.y) {
+      for (cell.x = -1; cell.x < end.x; ++cell.x)
+        for_each_polygon(cell, [&](const BorderPolygon& polygon) { visit(cell, polygon); });
+    }
+  }
+
   /// Whether one of the cells at a node jumps to another sheet.
   [[nodiscard]] bool beside_jump(glm::i32vec2 node) const;
 

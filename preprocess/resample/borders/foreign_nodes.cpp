@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "preprocess/normals/crease_sides.h"
+#include "preprocess/resample/sectors.h"
 
 namespace relief {
 namespace {
@@ -37,15 +38,10 @@ constexpr std::int64_t kBorderRings = 3;
 
 /// The widest angle between neighbouring directions.
 double widest_sector(const std::vector<glm::dvec3>& directions) {
-  if (directions.empty()) return 2.0 * std::numbers::pi;
   std::vector<double> angles;
   angles.reserve(directions.size());
   for (const glm::dvec3& d : directions) angles.push_back(std::atan2(d.y, d.x));
-  std::sort(angles.begin(), angles.end());
-  double widest = angles.front() + 2.0 * std::numbers::pi - angles.back();
-  for (std::size_t k = 1; k < angles.size(); ++k)
-    widest = std::max(widest, angles[k] - angles[k - 1]);
-  return widest;
+  return widest_sectors(angles).width;
 }
 
 /// Nodes of the region's own, 1 if some node within kBorderRings is none or the grid ends there.

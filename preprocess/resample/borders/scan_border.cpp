@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "preprocess/points/complete_frame.h"
+#include "preprocess/resample/sectors.h"
 
 namespace relief {
 namespace {
@@ -51,35 +52,6 @@ constexpr float kLeastCosine = 0.5F;
 // deviation), stays. It would be 0.36 with the points' own directions instead of their mean.
 constexpr double kBeyondPoints = 0.4;
 
-struct Sector {
-  double begin = 0.0;
-  double width = 0.0;
-};
-
-struct WidestSectors {
-  Sector first;
-  double second = 0.0;  ///< width
-};
-
-/// The widest sectors between directions; sorts them.
-WidestSectors widest_sectors(std::vector<double>& angles) {
-  if (angles.empty()) return {{0.0, 2.0 * std::numbers::pi}, 0.0};
-  std::sort(angles.begin(), angles.end());
-  WidestSectors widest;
-  for (std::size_t k = 0; k < angles.size(); ++k) {
-    const bool last = k + 1 == angles.size();
-    const double next = last ? angles.front() + 2.0 * std::numbers::pi : angles[k + 1];
-    const Sector sector{angles[k], next - angles[k]};
-    if (sector.width > widest.first.width) {
-      widest.second = widest.first.width;
-      widest.first = sector;
-    } else {
-      widest.second = std::max(widest.second, sector.width);
-    }
-  }
-  return widest;
-}
-
 /// Looks at points one by one.
 class BorderFinder {
  public:
@@ -95,7 +67,7 @@ class BorderFinder {
     for (const std::uint32_t j : graph_.of(i)) add(i, j);
     // Most points are done with here. A point at a border of rows has its nearest along its own
     // row, so that theirs are asked, too.
-    if (widest_sectors(angles_).first.width < kEmptySector) return {};
+    if (widest_sectors(angles_).width < kEmptySector) return {};
     const double reach = kEmptyReach * samples_.spacing[i];
     angles_.clear();
     for (const std::uint32_t j : graph_.of(i)) {
@@ -103,10 +75,9 @@ class BorderFinder {
       for (const std::uint32_t k : graph_.of(j)) add_within(i, k, reach);
     }
     const WidestSectors widest = widest_sectors(angles_);
-    if (widest.first.width < kEmptySector || widest.first.width > kWidestEmpty ||
-        widest.second > kWidestOther)
+    if (widest.width < kEmptySector || widest.width > kWidestEmpty || widest.second > kWidestOther)
       return {};
-    const double middle = widest.first.begin + 0.5 * widest.first.width;
+    const double middle = widest.begin + 0.5 * widest.width;
     return std::cos(middle) * u_ + std::sin(middle) * v_;
   }
 

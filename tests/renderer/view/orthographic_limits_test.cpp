@@ -106,8 +106,8 @@ TEST_P(OrthographicLimits, AreAsRightAsPerspectiveOnes) {
   const auto perspective = compared_to_truth(seen_from(camera, 2.6));
   ASSERT_TRUE(orthographic && perspective);
   EXPECT_EQ(orthographic->coverage->holes, 0U);
-  // The images show the same sphere as large, but not the same of it: 1.5 dB. Beyond 60 dB few
-  // pixels decide, in which one image shows another of two patches that overlap.
+  // Both images show the sphere as large, but other parts of it, which may differ by 1.5 dB. Above
+  // 60 dB a few pixels decide: those that show the other one of two overlapping patches.
   EXPECT_GE(*orthographic->psnr_covered_db, std::min(*perspective->psnr_covered_db - 1.5, 60.0));
 }
 
