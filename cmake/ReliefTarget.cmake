@@ -33,6 +33,8 @@ function(relief_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gtest_main)
   relief_configure(${name})
   # GCC 12 sees null pointers in std::vector<nlohmann::json> behind GoogleTest's macros; there are none.
-  target_compile_options(${name} PRIVATE -Wno-null-dereference)
+  # -O1 compiles a fifth to a third faster than -O2. With -O0 half of the time is saved, and more than that lost
+  # when the tests run.
+  target_compile_options(${name} PRIVATE -Wno-null-dereference -O1)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS "${ARG_LABELS}")
 endfunction()

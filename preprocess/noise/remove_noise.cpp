@@ -6,6 +6,7 @@
 
 #include "common/median.h"
 #include "preprocess/noise/noise_level.h"
+#include "preprocess/noise/return_bias.h"
 
 namespace relief {
 namespace {
@@ -75,7 +76,9 @@ NoiselessPoints remove_noise(const std::vector<glm::dvec3>& positions,
   result.report.noise = given ? *given : median_of(noise);
   if (progress.cancelled() || !drop_small(spacing_of_slot, noise)) return result;
 
-  const SmoothPoints by_slot = smooth(tree, spacing_of_slot, std::move(noise), progress);
+  SmoothPoints by_slot = smooth(tree, spacing_of_slot, noise, progress);
+  progress.begin_stage("remove noise", tree.size());
+  return_bias(tree, spacing_of_slot, noise, by_slot, progress);
   for (const glm::vec3& normal : by_slot.normals)
     result.report.moved += normal != glm::vec3(0.0F) ? 1 : 0;
   if (result.report.moved == 0) return result;
