@@ -1,4 +1,4 @@
-// Gives a smoothed surface back what smoothing took from it.
+// Gives a smoothed surface back a part of what smoothing took from it.
 #pragma once
 
 #include <vector>

@@ -40,16 +40,15 @@ struct BorderCell {
 
 /// A square of a patch, at most shared::kPartCells a side, that is culled and drawn as one.
 struct CellPart {
-  glm::uvec2 corner{0};             ///< its first node
-  std::vector<std::uint32_t> runs;  ///< packed as shaders/include/shared.h says, row by row
-  std::vector<std::uint32_t>
-      edge_runs;  ///< the same, of a coarser level: cells with a hole at a corner
-  std::vector<std::uint16_t> strip;  ///< instead of runs: nodes of a triangle strip, packed
-  std::vector<BorderCell> borders;   ///< row by row
-  std::vector<RimRecord> rims;       ///< row by row
-  glm::dvec3 centre{0.0};            ///< of a sphere about its cells and splats, grid frame (cells)
-  double radius = 0.0;               ///< of that sphere, cells
-  NormalBounds normals;  ///< of its cells; empty if it has splats, which lean as they like
+  glm::uvec2 corner{0};                  ///< its first node
+  std::vector<std::uint32_t> runs;       ///< packed as shaders/include/shared.h says, row by row
+  std::vector<std::uint32_t> edge_runs;  ///< of a coarser level: cells with a hole at a corner
+  std::vector<std::uint16_t> strip;      ///< instead of runs: nodes of a triangle strip, packed
+  std::vector<BorderCell> borders;       ///< row by row
+  std::vector<RimRecord> rims;           ///< row by row
+  glm::dvec3 centre{0.0};  ///< of a sphere about its cells and splats, grid frame (cells)
+  double radius = 0.0;     ///< of that sphere, cells
+  NormalBounds normals;    ///< of its cells; empty if it has splats, which lean as they like
 };
 
 /// A patch as cells: about two bytes a sample of heights, and less than half as much of all else
