@@ -21,6 +21,7 @@
 #include "preprocess/partition/find_regions.h"
 #include "preprocess/partition/split_by_density.h"
 #include "preprocess/points/densify.h"
+#include "preprocess/points/even_out.h"
 #include "preprocess/resample/scalars.h"
 #include "preprocess/sample_search.h"
 #include "preprocess/texture/files/load_textures.h"
@@ -202,6 +203,8 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   ConvertResult result;
   const bool textured = has_triangle_colours(points);
   const bool seams = options.seams.value_or(!points.triangles.empty());
+  if (points.triangles.empty()) result.report.points_merged = even_out(points, progress);
+  if (progress.cancelled()) return interrupted_error();
   RELIEF_TRY_ASSIGN(CleanScan clean, drop_strays(points, options, result.report, progress));
   // As scanned, so that a camera is the same for engines that draw the points themselves.
   PatchModel extent;

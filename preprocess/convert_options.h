@@ -57,6 +57,7 @@ struct ConvertOptions {
 struct ConvertReport {
   std::uint64_t points = 0;            ///< converted points
   std::uint64_t points_added = 0;      ///< on triangles larger than the spacing; not in `points`
+  std::uint64_t points_merged = 0;     ///< into others on the same line (even_out)
   std::uint64_t stray_points = 0;      ///< left out; not in `points`
   double noise = 0.0;                  ///< standard deviation, median, world units; 0: none found
   std::uint64_t points_moved = 0;      ///< points that noise was removed from

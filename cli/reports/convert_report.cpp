@@ -29,6 +29,13 @@ std::string noise_line(const ConvertReport& report) {
   return line.empty() ? line : fmt::format("  noise             {}\n", line);
 }
 
+/// How many points were merged; empty for a scan whose points lie in no lines.
+std::string lines_line(const ConvertReport& report) {
+  if (report.points_merged == 0) return {};
+  return fmt::format("  merged            {} points that lie in lines, far denser than across\n",
+                     report.points_merged);
+}
+
 /// How many points were left out by choice; empty if all were chosen.
 std::string selection_line(const ReadResult& read) {
   if (read.not_selected == 0) return {};
@@ -47,6 +54,7 @@ nlohmann::ordered_json convert_json(const ConvertSummary& s) {
           {"points_left_out", s.read.left_out},
           {"points_not_selected", s.read.not_selected},
           {"duplicates_merged", s.read.merged_duplicates},
+          {"points_merged", s.report.points_merged},
           {"outliers_removed", s.outliers.sparse},
           {"cluster_points_removed", s.outliers.cluster},
           {"stray_points_removed", s.report.stray_points},
@@ -106,7 +114,7 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
   std::string text = fmt::format(
       "{}\n"
       "  points            {} ({} not finite dropped, {} duplicates merged)\n"
-      "{}{}"
+      "{}{}{}"
       "  normals           {}\n"
       "  patches           {}\n"
       "  samples           {}\n"
@@ -119,9 +127,9 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
       "{}"
       "  time              {:.2f} s",
       output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates,
-      selection_line(s.read), noise_line(s.report), normals, s.file.patches, s.file.samples,
-      s.file.spacing, spacings, s.report.error_rms, s.report.error_max, s.report.psnr_db,
-      s.report.uncovered_points, colours, s.file.file_bytes,
+      selection_line(s.read), lines_line(s.report), noise_line(s.report), normals, s.file.patches,
+      s.file.samples, s.file.spacing, spacings, s.report.error_rms, s.report.error_max,
+      s.report.psnr_db, s.report.uncovered_points, colours, s.file.file_bytes,
       8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples), tiles,
       s.seconds);
   const char* separator = ": ";

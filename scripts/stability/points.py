@@ -28,6 +28,16 @@ def of_sphere(positions, normals, spacing):
     return f"{np.sqrt(np.mean((radius - 1) ** 2)) / spacing:.3f}", f"{100 * inward:.1f}"
 
 
+def rings(count, ratio, rng):
+    """Returns points of the unit sphere in rings; points along a ring are `ratio` times as dense as rings."""
+    lines = []
+    for polar in np.pi * (np.arange(count) + 0.5) / count:
+        points = max(3, round(2 * count * np.sin(polar) * ratio))
+        turn = 2 * np.pi * (np.arange(points) + rng.random()) / points
+        lines.append(np.stack([np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), np.full(points, np.cos(polar))], axis=-1))
+    return np.concatenate(lines)
+
+
 def spheres(rng):
     """Yields (name, points, normals or None, options) of the unit sphere of 10000 points."""
     count = 10000
@@ -47,6 +57,15 @@ def spheres(rng):
     yield "all points ten times", np.repeat(points, 10, axis=0), None, []
     yield "all points ten times, apart by rounding", near, None, []
     yield "the same, --thin 1e-6", near, None, ["--thin", "1e-6"]
+    for noise in (0.1, 0.5):
+        rays = np.repeat(points, 10, axis=0)
+        yield (f"all points ten times, noise of {noise:g} spacings along the rays",
+               rays * (1 + noise * spacing * rng.standard_normal((10 * count, 1))), None, [])
+    for ratio in (5, 20):
+        lines = rings(round(np.sqrt(count / ratio) * 0.89), ratio, rng)
+        yield f"scan lines, density 1 : {ratio}", lines, None, []
+        yield (f"scan lines, density 1 : {ratio}, noise of 0.2 lines",
+               lines * (1 + 0.2 * spacing * np.sqrt(ratio) * rng.standard_normal((len(lines), 1))), None, [])
     yield "normals of zero", points, np.zeros_like(points), []
     yield "normals of NaN", points, np.full_like(points, np.nan), []
     yield "normals at random", points, rng.standard_normal(points.shape), []
@@ -96,7 +115,7 @@ def convert(relief, points, normals, options):
 def measure(relief, _vertices, _triangles):
     rng, section, rows = np.random.default_rng(SEED), Section("Points, normals and orientation"), []
     head = ["scan", "patches", "samples", "points left out", "normals repaired", "points uncovered", "fits replaced", "largest condition",
-            "picture covered, %"]
+            "share of the picture covered, %"]
     for name, points, normals, options in spheres(rng):
         cells, samples, _ = convert(relief, points, normals, options)
         spacing = np.sqrt(4 * np.pi / 10000)

@@ -130,6 +130,39 @@ TEST(Convert, MakesOfANoisySphereWhatItMakesOfACleanOne) {
   EXPECT_GT(largest_turn(kept.model), 45.0);
 }
 
+/// A sphere scanned in `rings` rings whose points are 10 times as dense as the rings. `noise` is
+/// along the rays, in distances of rings.
+Points sphere_of_rings(int rings, double noise) {
+  std::mt19937 random(3);
+  const double apart = std::numbers::pi / rings;
+  std::normal_distribution<double> along(0.0, 1.0);
+  Points points;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double polar = (ring + 0.5) * apart;
+    const int count = static_cast<int>(20.0 * rings * std::sin(polar));
+    for (int i = 0; i < count; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / count;
+      points.positions.push_back((1.0 + noise * apart * along(random)) *
+                                 glm::dvec3(std::sin(polar) * std::cos(turn),
+                                            std::sin(polar) * std::sin(turn), std::cos(polar)));
+    }
+  }
+  return points;
+}
+
+// Each ring became a patch of its own, whose normals were off by up to 180 degrees.
+TEST(Convert, MakesASurfaceOfScanLinesFarApart) {
+  for (const double noise : {0.0, 0.02, 0.3}) {
+    Points points = sphere_of_rings(40, noise);
+    const std::size_t scanned = points.size();
+    const ConvertResult result = must_convert(points);
+    EXPECT_EQ(result.report.points + result.report.points_merged + result.report.stray_points,
+              scanned);
+    EXPECT_LE(result.model.patches.size(), 12U) << noise;
+    EXPECT_LT(largest_turn(result.model), noise > 0.1 ? 15.0 : 5.0) << noise;
+  }
+}
+
 TEST(Convert, LeavesVerticesOfMeshesAsTheyAreUnlessAsked) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0.0, 0.5);

@@ -1,0 +1,193 @@
+#include "preprocess/points/even_out.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/image/srgb.h"
+#include "common/is_finite.h"
+#include "common/neighbours/nearest_search.h"
+#include "common/neighbours/neighbours.h"
+#include "common/neighbours/position_tree.h"
+#include "common/neighbours/radius_search.h"
+#include "preprocess/points/keep_points.h"
+#include "preprocess/points/no_point.h"
+#include "preprocess/points/sampling.h"
+
+namespace relief {
+namespace {
+
+// Later stages look at so many neighbours (kSurfaceNeighbours).
+constexpr double kUsualNeighbours = 16.0;
+
+/// The nearest neighbours of one point after another.
+class Neighbourhood {
+ public:
+  Neighbourhood(const PositionTree& tree, std::uint32_t neighbours)
+      : tree_(tree), nearest_(tree, neighbours), offsets_(neighbours) {}
+
+  void find(std::uint32_t slot) {
+    nearest_.find(slot);
+    for (std::size_t m = 0; m < offsets_.size(); ++m)
+      offsets_[m] = tree_.at(nearest_.slot(m)) - tree_.at(slot);
+  }
+
+  /// The distance to the last neighbour.
+  [[nodiscard]] double reach() const { return std::sqrt(nearest_.squared(offsets_.size() - 1)); }
+
+  /// How far from the point others are merged into it; 0 if the neighbours lie in no lines.
+  [[nodiscard]] double merge_radius(Strips strips) const {
+    const std::uint32_t scale = first_surface_scale(offsets_, strips);
+    if (scale == 0) return 0.0;
+    return std::sqrt(std::numbers::pi * nearest_.squared(scale - 1) / kUsualNeighbours);
+  }
+
+  /// The mean of those neighbours' radii that are not 0; 0 if few are.
+  [[nodiscard]] double mean_radius(const std::vector<double>& by_slot) const {
+    double sum = 0.0;
+    std::size_t in_lines = 0;
+    for (std::size_t m = 0; m < offsets_.size(); ++m) {
+      const double radius = by_slot[nearest_.slot(m)];
+      sum += radius;
+      if (radius > 0.0) ++in_lines;
+    }
+    const auto least = kLeastInLines * static_cast<double>(offsets_.size());
+    return static_cast<double>(in_lines) < least ? 0.0 : sum / static_cast<double>(in_lines);
+  }
+
+ private:
+  const PositionTree& tree_;
+  NearestSearch nearest_;
+  std::vector<glm::dvec3> offsets_;
+};
+
+// Positions beside each other in the tree that share a search where their own shows no line.
+constexpr std::uint32_t kShared = 8;
+
+/// How far from each position of the tree others are merged into it, by slot; 0 where it does not
+/// lie in a line.
+std::vector<double> radii_in_lines(const PositionTree& tree, Sampling sampling,
+                                   Progress& progress) {
+  std::vector<double> by_slot(tree.size());
+  const auto find = [&](const tbb::blocked_range<std::uint32_t>& range) {
+    if (progress.cancelled()) return;
+    Neighbourhood neighbourhood(tree, sampling.scale);
+    for (std::uint32_t slot = range.begin(); slot != range.end(); ++slot) {
+      neighbourhood.find(slot);
+      by_slot[slot] = neighbourhood.merge_radius(sampling.strips);
+    }
+    progress.advance(range.size());
+  };
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, tree.size(), 1024), find);
+  return by_slot;
+}
+
+/// The radii where there are some; else those around, as noise hides some lines. By slot.
+std::vector<double> radii_around(const PositionTree& tree, const std::vector<double>& in_lines,
+                                 std::uint32_t neighbours, Progress& progress) {
+  std::vector<double> by_slot = in_lines;
+  const auto fill = [&](Neighbourhood& neighbourhood, std::uint32_t first, std::uint32_t end) {
+    const std::uint32_t middle = (first + end) / 2;
+    neighbourhood.find(middle);
+    const double around = neighbourhood.mean_radius(in_lines);
+    for (std::uint32_t slot = first; slot < end; ++slot) {
+      const bool is_near = glm::distance(tree.at(slot), tree.at(middle)) <= neighbourhood.reach();
+      if (in_lines[slot] == 0.0 && is_near) by_slot[slot] = around;
+    }
+  };
+  const std::uint32_t groups = (tree.size() + kShared - 1) / kShared;
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, groups, 128), [&](const auto& range) {
+    if (progress.cancelled()) return;
+    Neighbourhood neighbourhood(tree, neighbours);
+    for (std::uint32_t group = range.begin(); group != range.end(); ++group) {
+      const std::uint32_t first = kShared * group;
+      const std::uint32_t end = std::min(first + kShared, tree.size());
+      const auto own = std::span(in_lines).subspan(first, end - first);
+      if (std::ranges::find(own, 0.0) != own.end()) fill(neighbourhood, first, end);
+    }
+    progress.advance(kShared * range.size());
+  });
+  return by_slot;
+}
+
+/// How far from each point others are merged into it; 0 where points do not lie in lines.
+std::vector<double> merge_radii(const std::vector<glm::dvec3>& positions, Sampling sampling,
+                                Progress& progress) {
+  const PositionTree tree(positions);
+  const std::uint32_t more = std::min(4 * sampling.scale, largest_scale(positions.size()));
+  const std::vector<double> in_lines = radii_in_lines(tree, sampling, progress);
+  const std::vector<double> by_slot = radii_around(tree, in_lines, more, progress);
+  std::vector<double> radii(positions.size());
+  for (std::uint32_t slot = 0; slot < tree.size(); ++slot) radii[tree.index(slot)] = by_slot[slot];
+  return radii;
+}
+
+bool oppose(const Points& points, std::uint32_t a, std::uint32_t b) {
+  return !points.normals.empty() && glm::dot(points.normals[a], points.normals[b]) < 0.0F;
+}
+
+/// The point that each is merged into, which may be itself.
+std::vector<std::uint32_t> homes_of(const Points& points, const std::vector<double>& radii) {
+  const RadiusSearch search(points.positions);
+  std::vector<std::uint32_t> home(points.size(), kNoPoint);
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (home[i] != kNoPoint) continue;
+    home[i] = i;
+    if (radii[i] == 0.0) continue;
+    search.find(points.positions[i], radii[i], near);
+    for (const std::uint32_t j : near) {
+      if (home[j] == kNoPoint && radii[j] > 0.0 && !oppose(points, i, j)) home[j] = i;
+    }
+  }
+  return home;
+}
+
+/// Gives each point that others are merged into the means of all.
+void average(Points& points, const std::vector<std::uint32_t>& home) {
+  std::vector<glm::dvec3> offsets(points.size(), glm::dvec3(0.0));
+  std::vector<glm::vec3> light(points.colours.size(), glm::vec3(0.0F));
+  std::vector<std::uint32_t> count(points.size(), 0);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t to = home[i];
+    ++count[to];
+    offsets[to] += points.positions[i] - points.positions[to];
+    if (!light.empty()) light[to] += linear_from_srgb8(points.colours[i]);
+    // The sum has the mean's direction; its length does not matter.
+    if (to == i || points.normals.empty() || !is_finite(points.normals[i])) continue;
+    glm::vec3& normal = points.normals[to];
+    normal = is_finite(normal) ? normal + points.normals[i] : points.normals[i];
+  }
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (count[i] < 2) continue;
+    points.positions[i] += offsets[i] / static_cast<double>(count[i]);
+    if (!light.empty())
+      points.colours[i] = srgb8_from_linear(light[i] / static_cast<float>(count[i]));
+  }
+}
+
+}  // namespace
+
+std::uint64_t even_out(Points& points, Progress& progress) {
+  const Sampling sampling = sampling_of(points.positions, progress);
+  if (sampling.scale == 0) return 0;
+  progress.begin_stage("even out", 2 * points.size());
+  const std::vector<double> radii = merge_radii(points.positions, sampling, progress);
+  if (progress.cancelled()) return 0;
+  const std::vector<std::uint32_t> home = homes_of(points, radii);
+  std::vector<std::uint8_t> merged(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) merged[i] = home[i] == i ? 0 : 1;
+  const auto kept = static_cast<std::size_t>(std::ranges::count(merged, 0));
+  if (kept < kMinSurfacePoints) return 0;
+  average(points, home);
+  return drop_points(points, merged);
+}
+
+}  // namespace relief
