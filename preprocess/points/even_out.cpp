@@ -27,6 +27,14 @@ namespace {
 // Later stages look at so many neighbours (kSurfaceNeighbours).
 constexpr double kUsualNeighbours = 16.0;
 
+// Where only far more neighbours show a surface, points are merged first that are as near as so
+// many would be apart: a third as near, or less, as they are merged in the end.
+constexpr std::uint32_t kCoarse = 32;
+
+// A line of 32 has a tenth of its points left, a strip a third. Frames by the hundred take two
+// rounds.
+constexpr int kMostRounds = 4;
+
 /// The nearest neighbours of one point after another.
 class Neighbourhood {
  public:
@@ -34,19 +42,30 @@ class Neighbourhood {
       : tree_(tree), nearest_(tree, neighbours), offsets_(neighbours) {}
 
   void find(std::uint32_t slot) {
+    slot_ = slot;
     nearest_.find(slot);
     for (std::size_t m = 0; m < offsets_.size(); ++m)
       offsets_[m] = tree_.at(nearest_.slot(m)) - tree_.at(slot);
   }
 
-  /// The distance to the last neighbour.
-  [[nodiscard]] double reach() const { return std::sqrt(nearest_.squared(offsets_.size() - 1)); }
+  /// Whether a position is as near as the last neighbour.
+  [[nodiscard]] bool reaches(std::uint32_t slot) const {
+    const glm::dvec3 offset = tree_.at(slot) - tree_.at(slot_);
+    return glm::dot(offset, offset) <= nearest_.squared(offsets_.size() - 1);
+  }
 
   /// How far from the point others are merged into it; 0 if the neighbours lie in no lines.
   [[nodiscard]] double merge_radius(Strips strips) const {
     const std::uint32_t scale = first_surface_scale(offsets_, strips);
-    if (scale == 0) return 0.0;
+    if (scale == 0 || scale == kNoSurface) return 0.0;
     return std::sqrt(std::numbers::pi * nearest_.squared(scale - 1) / kUsualNeighbours);
+  }
+
+  /// The distance of points if 32 of them filled a disc, if it takes many more to show a surface;
+  /// else 0.
+  [[nodiscard]] double coarse_radius(Strips strips) const {
+    if (first_surface_scale(offsets_, strips) < kCoarseScale) return 0.0;
+    return std::sqrt(std::numbers::pi * nearest_.squared(kCoarse - 1) / kCoarse);
   }
 
   /// The mean of those neighbours' radii that are not 0; 0 if few are.
@@ -66,10 +85,8 @@ class Neighbourhood {
   const PositionTree& tree_;
   NearestSearch nearest_;
   std::vector<glm::dvec3> offsets_;
+  std::uint32_t slot_ = 0;
 };
-
-// Positions beside each other in the tree that share a search where their own shows no line.
-constexpr std::uint32_t kShared = 8;
 
 /// How far from each position of the tree others are merged into it, by slot; 0 where it does not
 /// lie in a line.
@@ -89,31 +106,61 @@ std::vector<double> radii_in_lines(const PositionTree& tree, Sampling sampling,
   return by_slot;
 }
 
-/// The radii where there are some; else those around, as noise hides some lines. By slot.
-std::vector<double> radii_around(const PositionTree& tree, const std::vector<double>& in_lines,
-                                 std::uint32_t neighbours, Progress& progress) {
-  std::vector<double> by_slot = in_lines;
-  const auto fill = [&](Neighbourhood& neighbourhood, std::uint32_t first, std::uint32_t end) {
-    const std::uint32_t middle = (first + end) / 2;
-    neighbourhood.find(middle);
-    const double around = neighbourhood.mean_radius(in_lines);
-    for (std::uint32_t slot = first; slot < end; ++slot) {
-      const bool is_near = glm::distance(tree.at(slot), tree.at(middle)) <= neighbourhood.reach();
-      if (in_lines[slot] == 0.0 && is_near) by_slot[slot] = around;
-    }
-  };
-  const std::uint32_t groups = (tree.size() + kShared - 1) / kShared;
+// Positions beside each other in the tree that share a search where their own shows no line, and
+// where it takes many to show a surface.
+constexpr std::uint32_t kShared = 8;
+constexpr std::uint32_t kCoarseShared = 32;
+
+/// Calls visit(neighbourhood, first, end) for groups of slots, with the neighbourhood of the middle
+/// one.
+template <class Wanted, class Visit>
+void for_each_group(const PositionTree& tree, std::uint32_t size, std::uint32_t neighbours,
+                    const Wanted& is_wanted, const Visit& visit, Progress& progress) {
+  const std::uint32_t groups = (tree.size() + size - 1) / size;
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, groups, 128), [&](const auto& range) {
     if (progress.cancelled()) return;
     Neighbourhood neighbourhood(tree, neighbours);
     for (std::uint32_t group = range.begin(); group != range.end(); ++group) {
-      const std::uint32_t first = kShared * group;
-      const std::uint32_t end = std::min(first + kShared, tree.size());
-      const auto own = std::span(in_lines).subspan(first, end - first);
-      if (std::ranges::find(own, 0.0) != own.end()) fill(neighbourhood, first, end);
+      const std::uint32_t first = size * group;
+      const std::uint32_t end = std::min(first + size, tree.size());
+      if (!is_wanted(first, end)) continue;
+      neighbourhood.find((first + end) / 2);
+      visit(neighbourhood, first, end);
     }
-    progress.advance(kShared * range.size());
+    progress.advance(size * range.size());
   });
+}
+
+/// The radii where there are some; else those around, as noise hides some lines. By slot.
+std::vector<double> radii_around(const PositionTree& tree, const std::vector<double>& in_lines,
+                                 std::uint32_t neighbours, Progress& progress) {
+  std::vector<double> by_slot = in_lines;
+  const auto lacks_radii = [&](std::uint32_t first, std::uint32_t end) {
+    const auto own = std::span(in_lines).subspan(first, end - first);
+    return std::ranges::find(own, 0.0) != own.end();
+  };
+  const auto fill = [&](const Neighbourhood& around, std::uint32_t first, std::uint32_t end) {
+    const double radius = around.mean_radius(in_lines);
+    for (std::uint32_t slot = first; slot < end; ++slot) {
+      if (in_lines[slot] == 0.0 && around.reaches(slot)) by_slot[slot] = radius;
+    }
+  };
+  for_each_group(tree, kShared, neighbours, lacks_radii, fill, progress);
+  return by_slot;
+}
+
+/// How far from each position others are merged into it where it takes many to show a surface; else
+/// 0. By slot.
+std::vector<double> coarse_radii(const PositionTree& tree, Strips strips, Progress& progress) {
+  std::vector<double> by_slot(tree.size());
+  const auto is_wanted = [](std::uint32_t, std::uint32_t) { return true; };
+  const auto fill = [&](const Neighbourhood& around, std::uint32_t first, std::uint32_t end) {
+    const double radius = around.coarse_radius(strips);
+    for (std::uint32_t slot = first; slot < end; ++slot) {
+      if (around.reaches(slot)) by_slot[slot] = radius;
+    }
+  };
+  for_each_group(tree, kCoarseShared, largest_scale(tree.size()), is_wanted, fill, progress);
   return by_slot;
 }
 
@@ -121,9 +168,13 @@ std::vector<double> radii_around(const PositionTree& tree, const std::vector<dou
 std::vector<double> merge_radii(const std::vector<glm::dvec3>& positions, Sampling sampling,
                                 Progress& progress) {
   const PositionTree tree(positions);
-  const std::uint32_t more = std::min(4 * sampling.scale, largest_scale(positions.size()));
-  const std::vector<double> in_lines = radii_in_lines(tree, sampling, progress);
-  const std::vector<double> by_slot = radii_around(tree, in_lines, more, progress);
+  std::vector<double> by_slot;
+  if (sampling.is_coarse) {
+    by_slot = coarse_radii(tree, sampling.strips, progress);
+  } else {
+    const std::uint32_t more = std::min(4 * sampling.scale, largest_scale(positions.size()));
+    by_slot = radii_around(tree, radii_in_lines(tree, sampling, progress), more, progress);
+  }
   std::vector<double> radii(positions.size());
   for (std::uint32_t slot = 0; slot < tree.size(); ++slot) radii[tree.index(slot)] = by_slot[slot];
   return radii;
@@ -173,12 +224,9 @@ void average(Points& points, const std::vector<std::uint32_t>& home) {
   }
 }
 
-}  // namespace
-
-std::uint64_t even_out(Points& points, Progress& progress) {
-  const Sampling sampling = sampling_of(points.positions, progress);
-  if (sampling.scale == 0) return 0;
-  progress.begin_stage("even out", 2 * points.size());
+/// Merges once. Returns how many points were merged into others.
+std::uint64_t merge(Points& points, Sampling sampling, Progress& progress) {
+  progress.begin_stage("even out", (sampling.is_coarse ? 1 : 2) * points.size());
   const std::vector<double> radii = merge_radii(points.positions, sampling, progress);
   if (progress.cancelled()) return 0;
   const std::vector<std::uint32_t> home = homes_of(points, radii);
@@ -188,6 +236,20 @@ std::uint64_t even_out(Points& points, Progress& progress) {
   if (kept < kMinSurfacePoints) return 0;
   average(points, home);
   return drop_points(points, merged);
+}
+
+}  // namespace
+
+std::uint64_t even_out(Points& points, Progress& progress) {
+  std::uint64_t merged = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Sampling sampling = sampling_of(points.positions, progress);
+    if (sampling.scale == 0 && !sampling.is_coarse) break;
+    const std::uint64_t more = merge(points, sampling, progress);
+    if (more == 0) break;
+    merged += more;
+  }
+  return merged;
 }
 
 }  // namespace relief

@@ -14,12 +14,13 @@ namespace relief {
 ///
 /// Nothing is done unless an eighth of the scan is so (sampling_of). Then each point in file order
 /// takes those that lie nearer than points would if 16 of them filled the neighbourhood that shows
-/// a surface. The merged point has the mean of their positions, normals and colours (in linear
-/// light), and otherwise what the first has. Points whose given normals oppose each other stay
-/// apart.
+/// a surface. Where that takes very many, the nearest are merged first, in up to four rounds. The
+/// merged point has the mean of their positions, normals and colours (in linear light), and
+/// otherwise what the first has. Points whose given normals oppose each other stay apart.
 ///
 /// Returns how many points were merged into others. The result does not depend on threads. The
-/// points stay as they are if too few for a surface would be left, and if the user interrupts.
+/// points stay as they are if too few for a surface would be left. Incomplete if the user
+/// interrupts.
 std::uint64_t even_out(Points& points, Progress& progress);
 
 }  // namespace relief

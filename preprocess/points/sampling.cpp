@@ -62,11 +62,14 @@ Sampling sampling_of(const std::vector<glm::dvec3>& positions, const Progress& p
   Sampling sampling;
   if (!are_many(std::ranges::count_if(probes, lies_in_grid))) sampling.strips = Strips::Noise;
   std::ptrdiff_t in_lines = 0;
+  std::ptrdiff_t coarse = 0;
   for (const std::vector<glm::dvec3>& offsets : probes) {
     const std::uint32_t scale = first_surface_scale(offsets, sampling.strips);
-    sampling.scale = std::max(sampling.scale, scale);
     if (scale > 0) ++in_lines;
+    if (scale >= kCoarseScale) ++coarse;
+    if (scale != kNoSurface) sampling.scale = std::max(sampling.scale, scale);
   }
+  sampling.is_coarse = neighbours >= kCoarseScale && are_many(coarse);
   if (!are_many(in_lines)) sampling.scale = 0;
   return sampling;
 }

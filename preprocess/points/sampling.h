@@ -14,9 +14,13 @@ namespace relief {
 /// lie in lines. Of scans in lines 60 % and more do, or 15 % and more if noise hides their lines.
 inline constexpr double kLeastInLines = 0.125;
 
+/// From this scale on looking at each point's neighbours takes longer than a conversion.
+inline constexpr std::uint32_t kCoarseScale = 128;
+
 /// How a scan's points lie.
 struct Sampling {
   std::uint32_t scale = 0;  ///< the largest that a part of the scan needs; 0: few lie in lines
+  bool is_coarse = false;   ///< many need kCoarseScale and more, or even that shows lines only
   Strips strips = Strips::Real;
 };
 

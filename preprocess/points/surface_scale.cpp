@@ -75,7 +75,7 @@ std::uint32_t first_surface_scale(std::span<const glm::dvec3> offsets, Strips st
   const std::span<const Shape> known(shapes.data(), scales);
   for (std::size_t s = scales; s-- > 0;) {
     if (known[s].is_line || (strips == Strips::Noise && turns(known, s)))
-      return s + 1 < scales ? kSurfaceScales[s + 1] : 0;
+      return s + 1 < scales ? kSurfaceScales[s + 1] : kNoSurface;
   }
   return 0;
 }

@@ -22,8 +22,8 @@ std::uint64_t even(Points& points) {
 
 /// A square of scan lines along X, from 0 to 1; points along a line are `ratio` times as dense as
 /// lines, whose distance is 1 / lines. `noise` is along Z, in distances of lines.
-Points scan_lines(int lines, int ratio, double noise) {
-  std::mt19937 random(3);
+Points scan_lines(int lines, int ratio, double noise, unsigned seed = 3) {
+  std::mt19937 random(seed);
   std::normal_distribution<double> height(0.0, noise / lines);
   std::uniform_real_distribution<double> any(0.0, 1.0);
   Points points;
@@ -54,6 +54,30 @@ TEST(EvenOut, MergesAlongScanLines) {
       EXPECT_EQ(sampling_of(points.positions, progress).scale, 0U) << ratio << " " << noise;
     }
   }
+}
+
+// Few points, whose lines are longer than the neighbourhoods that are looked at.
+TEST(EvenOut, LeavesSmallScans) {
+  for (const int count : {20, 100, 200}) {
+    Points points;
+    for (int i = 0; i < count; ++i) points.positions.emplace_back(0.01 * (i % 20), i / 20, i % 2);
+    EXPECT_EQ(even(points), 0U) << count;
+  }
+}
+
+// A spinning scanner that stood still for 20 turns: to see the surface takes some 400 points.
+TEST(EvenOut, MergesFramesOfScanLines) {
+  const int lines = 40;
+  Points points;
+  for (int frame = 0; frame < 20; ++frame) {
+    const Points more = scan_lines(lines, 10, 0.05, frame);
+    points.positions.insert(points.positions.end(), more.positions.begin(), more.positions.end());
+  }
+  even(points);
+  EXPECT_GT(points.size(), 1.2 * lines * lines);
+  EXPECT_LT(points.size(), 4.0 * lines * lines);
+  Progress progress;
+  EXPECT_EQ(sampling_of(points.positions, progress).scale, 0U);
 }
 
 TEST(EvenOut, MergesRaysThatWereMeasuredManyTimes) {
