@@ -172,7 +172,9 @@ class ViewerWindow:
         self.act("mousemove", x, y, "sleep", 0.15, "mousedown", button, "sleep", 0.1, "mouseup", button)
 
     def drag(self, start, end, button=1, steps=20):
-        words = ["mousemove", *start, "sleep", 0.1, "mousedown", button]
+        # The window knows what is under the cursor a frame after it has come. Frames are slow on a busy machine.
+        self.act("mousemove", *start)
+        words = ["mousedown", button]
         for k in range(1, steps + 1):
             at = [round(a + (b - a) * k / steps) for a, b in zip(start, end)]
             words += ["sleep", 0.01, "mousemove", *at]
