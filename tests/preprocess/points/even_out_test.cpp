@@ -58,9 +58,9 @@ TEST(EvenOut, MergesAlongScanLines) {
 
 // Few points, whose lines are longer than the neighbourhoods that are looked at.
 TEST(EvenOut, LeavesSmallScans) {
-  for (const int count : {20, 100, 200}) {
+  for (const int count : {20, 100, 200, 900}) {
     Points points;
-    for (int i = 0; i < count; ++i) points.positions.emplace_back(0.01 * (i % 20), i / 20, i % 2);
+    for (int i = 0; i < count; ++i) points.positions.emplace_back(0.01 * (i % 100), i / 100, 0);
     EXPECT_EQ(even(points), 0U) << count;
   }
 }
