@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "common/image/srgb.h"
-#include "common/is_finite.h"
 #include "common/neighbours/nearest_search.h"
 #include "common/neighbours/neighbours.h"
 #include "common/neighbours/position_tree.h"
@@ -23,9 +22,6 @@
 
 namespace relief {
 namespace {
-
-// Later stages look at so many neighbours (kSurfaceNeighbours).
-constexpr double kUsualNeighbours = 16.0;
 
 // Where only far more neighbours show a surface, points are merged first that are as near as so
 // many would be apart: a third as near, or less, as they are merged in the end.
@@ -58,7 +54,7 @@ class Neighbourhood {
   [[nodiscard]] double merge_radius(Strips strips) const {
     const std::uint32_t scale = first_surface_scale(offsets_, strips);
     if (scale == 0 || scale == kNoSurface) return 0.0;
-    return std::sqrt(std::numbers::pi * nearest_.squared(scale - 1) / kUsualNeighbours);
+    return std::sqrt(std::numbers::pi * nearest_.squared(scale - 1) / kSurfaceNeighbours);
   }
 
   /// The distance of points if 32 of them filled a disc, if it takes many more to show a surface;
@@ -111,11 +107,11 @@ std::vector<double> radii_in_lines(const PositionTree& tree, Sampling sampling,
 constexpr std::uint32_t kShared = 8;
 constexpr std::uint32_t kCoarseShared = 32;
 
-/// Calls visit(neighbourhood, first, end) for groups of slots, with the neighbourhood of the middle
-/// one.
-template <class Wanted, class Visit>
+/// Calls visit(neighbourhood, first, end) for groups of slots. `visit` may find the neighbours of
+/// any slot.
+template <class Visit>
 void for_each_group(const PositionTree& tree, std::uint32_t size, std::uint32_t neighbours,
-                    const Wanted& is_wanted, const Visit& visit, Progress& progress) {
+                    const Visit& visit, Progress& progress) {
   const std::uint32_t groups = (tree.size() + size - 1) / size;
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, groups, 128), [&](const auto& range) {
     if (progress.cancelled()) return;
@@ -123,8 +119,6 @@ void for_each_group(const PositionTree& tree, std::uint32_t size, std::uint32_t 
     for (std::uint32_t group = range.begin(); group != range.end(); ++group) {
       const std::uint32_t first = size * group;
       const std::uint32_t end = std::min(first + size, tree.size());
-      if (!is_wanted(first, end)) continue;
-      neighbourhood.find((first + end) / 2);
       visit(neighbourhood, first, end);
     }
     progress.advance(size * range.size());
@@ -135,17 +129,16 @@ void for_each_group(const PositionTree& tree, std::uint32_t size, std::uint32_t 
 std::vector<double> radii_around(const PositionTree& tree, const std::vector<double>& in_lines,
                                  std::uint32_t neighbours, Progress& progress) {
   std::vector<double> by_slot = in_lines;
-  const auto lacks_radii = [&](std::uint32_t first, std::uint32_t end) {
+  const auto fill = [&](Neighbourhood& around, std::uint32_t first, std::uint32_t end) {
     const auto own = std::span(in_lines).subspan(first, end - first);
-    return std::ranges::find(own, 0.0) != own.end();
-  };
-  const auto fill = [&](const Neighbourhood& around, std::uint32_t first, std::uint32_t end) {
+    if (std::ranges::find(own, 0.0) == own.end()) return;
+    around.find((first + end) / 2);
     const double radius = around.mean_radius(in_lines);
     for (std::uint32_t slot = first; slot < end; ++slot) {
       if (in_lines[slot] == 0.0 && around.reaches(slot)) by_slot[slot] = radius;
     }
   };
-  for_each_group(tree, kShared, neighbours, lacks_radii, fill, progress);
+  for_each_group(tree, kShared, neighbours, fill, progress);
   return by_slot;
 }
 
@@ -153,14 +146,14 @@ std::vector<double> radii_around(const PositionTree& tree, const std::vector<dou
 /// 0. By slot.
 std::vector<double> coarse_radii(const PositionTree& tree, Strips strips, Progress& progress) {
   std::vector<double> by_slot(tree.size());
-  const auto is_wanted = [](std::uint32_t, std::uint32_t) { return true; };
-  const auto fill = [&](const Neighbourhood& around, std::uint32_t first, std::uint32_t end) {
+  const auto fill = [&](Neighbourhood& around, std::uint32_t first, std::uint32_t end) {
+    around.find((first + end) / 2);
     const double radius = around.coarse_radius(strips);
     for (std::uint32_t slot = first; slot < end; ++slot) {
       if (around.reaches(slot)) by_slot[slot] = radius;
     }
   };
-  for_each_group(tree, kCoarseShared, largest_scale(tree.size()), is_wanted, fill, progress);
+  for_each_group(tree, kCoarseShared, largest_scale(tree.size()), fill, progress);
   return by_slot;
 }
 
@@ -211,10 +204,7 @@ void average(Points& points, const std::vector<std::uint32_t>& home) {
     ++count[to];
     offsets[to] += points.positions[i] - points.positions[to];
     if (!light.empty()) light[to] += linear_from_srgb8(points.colours[i]);
-    // The sum has the mean's direction; its length does not matter.
-    if (to == i || points.normals.empty() || !is_finite(points.normals[i])) continue;
-    glm::vec3& normal = points.normals[to];
-    normal = is_finite(normal) ? normal + points.normals[i] : points.normals[i];
+    if (to != i) add_normal(points, to, i);
   }
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (count[i] < 2) continue;

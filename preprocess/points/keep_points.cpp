@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "common/is_finite.h"
 #include "preprocess/points/no_point.h"
 
 namespace relief {
@@ -93,6 +94,12 @@ void keep_points(Points& points, const std::vector<std::uint32_t>& kept,
   compact(points.texcoords, kept);
   compact(points.scanner_of, kept);
   for (PointScalar& scalar : points.scalars) compact(scalar.values, kept);
+}
+
+void add_normal(Points& points, std::uint32_t to, std::uint32_t from) {
+  if (points.normals.empty() || !is_finite(points.normals[from])) return;
+  glm::vec3& normal = points.normals[to];
+  normal = is_finite(normal) ? normal + points.normals[from] : points.normals[from];
 }
 
 std::uint64_t drop_points(Points& points, const std::vector<std::uint8_t>& dropped) {

@@ -14,6 +14,10 @@ namespace relief {
 void keep_points(Points& points, const std::vector<std::uint32_t>& kept,
                  const std::vector<std::uint32_t>& new_index);
 
+/// Adds the normal of a point to that of another, which it is merged into; nothing without normals.
+/// The sum has the mean's direction; its length does not matter. NaN and infinity do not count.
+void add_normal(Points& points, std::uint32_t to, std::uint32_t from);
+
 /// Drops the points i with `dropped[i]` not 0, and their triangles. Returns the number of dropped
 /// points.
 std::uint64_t drop_points(Points& points, const std::vector<std::uint8_t>& dropped);

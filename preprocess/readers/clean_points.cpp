@@ -86,11 +86,7 @@ ReadResult clean_points(Points points, std::vector<std::uint32_t>* number) {
     ++result.merged_duplicates;
     new_index[i] = new_index[first];
     seam = seam || (!points.texcoords.empty() && points.texcoords[i] != points.texcoords[first]);
-    // The sum has the mean's direction; its length does not matter.
-    if (!points.normals.empty() && is_finite(points.normals[i])) {
-      glm::vec3& normal = points.normals[first];
-      normal = is_finite(normal) ? normal + points.normals[i] : points.normals[i];
-    }
+    add_normal(points, first, i);
   }
   if (seam && points.corner_texcoords.empty()) keep_seams(points);
   keep_points(points, kept, new_index);
