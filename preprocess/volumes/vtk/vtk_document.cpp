@@ -6,6 +6,8 @@
 #include <memory>
 #include <new>
 
+#include "preprocess/volumes/vtk/xml_position.h"
+
 namespace relief {
 namespace {
 
@@ -86,7 +88,7 @@ class VtkHandler {
                            attributes["offset"],
                            {}});
       array_ = &section_->back();
-      text_begin_ = event_end();
+      text_begin_ = begin_of_event(parser_) + bytes_of_event(parser_);
     } else if (name == "VTKFile") {
       document.kind = attributes["type"];
       document.byte_order = attributes["byte_order"];
@@ -119,7 +121,7 @@ class VtkHandler {
         close_array_text();
         array_ = nullptr;
       } else {
-        text_begin_ = event_end();
+        text_begin_ = begin_of_event(parser_) + bytes_of_event(parser_);
       }
     } else if (name == "PointData" || name == "CellData" || name == "Coordinates" ||
                name == "Points") {
@@ -129,16 +131,10 @@ class VtkHandler {
 
   /// Keeps the text before the current event as the array's, unless it is blank.
   void close_array_text() {
-    const std::size_t end = std::min(event_begin(), text_.size());
+    const std::size_t end = std::min(begin_of_event(parser_), text_.size());
     if (!array_->text.empty() || text_begin_ >= end) return;
     const std::string_view text = text_.substr(text_begin_, end - text_begin_);
     if (text.find_first_not_of(kXmlBlanks) != text.npos) array_->text = text;
-  }
-  [[nodiscard]] std::size_t event_begin() const {
-    return static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_));
-  }
-  [[nodiscard]] std::size_t event_end() const {
-    return event_begin() + static_cast<std::size_t>(XML_GetCurrentByteCount(parser_));
   }
 
   XML_Parser parser_;
@@ -168,10 +164,10 @@ Error xml_error(const std::string& name, XML_Parser parser, const VtkHandler& ha
     return make_error("{}: not enough memory to read it; free some memory", name);
   if (handler.has_doctype) {
     return make_error("{}: line {}: has a document type, which VTK files do not have; remove it",
-                      name, XML_GetCurrentLineNumber(parser));
+                      name, line_of(parser));
   }
-  return make_error("{}: line {}: is not XML as VTK writes it ({})", name,
-                    XML_GetCurrentLineNumber(parser), XML_ErrorString(XML_GetErrorCode(parser)));
+  return make_error("{}: line {}: is not XML as VTK writes it ({})", name, line_of(parser),
+                    XML_ErrorString(XML_GetErrorCode(parser)));
 }
 
 }  // namespace
