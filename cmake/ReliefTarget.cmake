@@ -8,6 +8,10 @@ function(relief_configure target)
     # -Wnull-dereference not without it: at the release preset's -O3, GCC 12 suspects std::vector::resize.
     target_compile_options(${target} PRIVATE -Wnull-dereference -Werror)
   endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+    # GCC 13 and 14 see members of a std::variant that it does not hold at the time.
+    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
+  endif()
   if(RELIEF_SANITIZE)
     # GCC 12 sees -Wnull-dereference and -Wmaybe-uninitialized where the sanitizers add their own branches.
     target_compile_options(${target} PRIVATE -fsanitize=${RELIEF_SANITIZE} -fno-omit-frame-pointer

@@ -92,6 +92,9 @@ struct Points {
 /// bare points, as in surveys.
 [[nodiscard]] Stance stance_of(const Points& points);
 
+/// Appends a point that is equal to another one, with all that is known of it.
+void repeat_point(Points& points, std::uint32_t index);
+
 /// Returns the texture coordinates of a triangle's corners. The points must have them.
 [[nodiscard]] CornerTexcoords texcoords_of(const Points& mesh, std::size_t triangle);
 

@@ -5,15 +5,18 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "common/background_tasks.h"
 #include "common/guard.h"
+#include "common/mesh/coarse_mesh.h"
 #include "common/mesh/mesh_normals.h"
 #include "common/neighbours/neighbours.h"
 #include "preprocess/add_distances.h"
 #include "preprocess/clean_scan.h"
+#include "preprocess/coarse_scan.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/make_model.h"
 #include "preprocess/normals/closed_mesh.h"
@@ -82,12 +85,13 @@ Status check_points(const std::vector<glm::dvec3>& positions) {
 class MeshInTime {
  public:
   /// Computes nothing for a mesh without triangles. The first `given` points are the file's.
-  /// Positions and triangles must not change, nor normals until `wait`.
-  MeshInTime(const Points& mesh, std::size_t given) {
+  /// `welded`: the triangles with one point a position. Positions and triangles must not change,
+  /// nor normals until `wait`.
+  MeshInTime(const Points& mesh, std::size_t given, std::span<const Triangle> welded) {
     if (mesh.triangles.empty()) return;
     tasks_.run([this, &mesh] { spheres_.emplace(mesh); });
-    tasks_.run([this, &mesh, given] {
-      const MeshEdges edges(mesh);
+    tasks_.run([this, &mesh, given, welded] {
+      const MeshEdges edges(mesh.size(), welded);
       is_closed_ = is_closed_mesh(mesh, given, edges);
       is_borderless_ = is_borderless_mesh(mesh, given, edges);
       normals_ = normals_of_faces(mesh, edges);
@@ -108,18 +112,6 @@ class MeshInTime {
   std::optional<TriangleSpheres> spheres_;
   BackgroundTasks tasks_;
 };
-
-// Textures are finer than the vertices that carry them.
-constexpr std::size_t kTexturedPoints = 70'000;
-constexpr double kMostTexturedPoints = 2e6;
-
-/// How many points a textured mesh shall have: more if the spacing (world units; 0: none) asks for
-/// them.
-std::size_t least_points(const Points& mesh, double spacing) {
-  if (!(spacing > 0.0)) return kTexturedPoints;
-  const double wanted = area_of_triangles(mesh) / (spacing * spacing);
-  return std::max(kTexturedPoints, static_cast<std::size_t>(std::min(wanted, kMostTexturedPoints)));
-}
 
 /// Adds points where triangles are large. Fails if a textured mesh has no area that they could lie
 /// on.
@@ -213,26 +205,41 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   to_working_frame(frame, points);
   RELIEF_TRY(drop_noise(points, options, unit, clean, result.report, progress));
   result.report.points = points.size();
-  RELIEF_TRY(add_points(points, textured, options.spacing, result.report));
+  RELIEF_TRY_ASSIGN(const std::optional<CoarseScan> coarse,
+                    take_coarse_mesh(points, options.spacing));
+  const Points& mesh = coarse ? coarse->mesh : points;
+  if (coarse) {
+    result.report.points_added = points.size();
+    clean = {};
+  } else {
+    RELIEF_TRY(add_points(points, textured, options.spacing, result.report));
+  }
   if (!clean.scanned.empty()) {
     const auto added = static_cast<std::ptrdiff_t>(result.report.points_added);
     clean.scanned.insert(clean.scanned.end(), points.positions.end() - added,
                          points.positions.end());
   }
 
-  MeshInTime in_time(points, points.size() - result.report.points_added);
+  MeshInTime in_time(mesh, coarse ? mesh.size() : points.size() - result.report.points_added,
+                     coarse ? coarse->welded : mesh.triangles);
+  const MeshSides* const sides = coarse && coarse->has_sides && seams ? &coarse->sides : nullptr;
   if (!clean.graph) progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph =
-      clean.graph ? std::move(*clean.graph) : find_neighbours(points.positions, kSurfaceNeighbours);
+      sides != nullptr ? find_neighbours_on_sides(points.positions, sides->of_points)
+      : clean.graph    ? std::move(*clean.graph)
+                       : find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
 
   progress.begin_stage("normals", 0);
   LocalFrames frames = fit_local_frames(points.positions, graph);
   take_known_normals(clean.normals, frames);
   in_time.wait();
-  const NormalsReport normals = complete_normals(
-      points, graph, frames,
-      {.side = to_working_frame(frame, options.side), .of_faces = &in_time.normals()}, progress);
+  const NormalsReport normals =
+      complete_normals(points, graph, frames,
+                       {.side = to_working_frame(frame, options.side),
+                        .of_faces = &in_time.normals(),
+                        .are_of_faces = coarse && coarse->is_oriented && !coarse->has_own_normals},
+                       progress);
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
@@ -249,14 +256,16 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   const std::vector<ScalarInfo> scalars = describe_scalars(points.scalars);
   const PartitionedScan scan{.unit = unit,
                              .points = points,
+                             .mesh = mesh,
+                             .sides = sides,
                              .scanned = clean.scanned.empty() ? points.positions : clean.scanned,
-                             .measured = textured ? points.size() : result.report.points,
+                             .measured = textured || coarse ? points.size() : result.report.points,
                              .graph = graph,
                              .samples = samples,
                              .regions = regions,
                              .scalars = scalars,
                              .creases = creases ? &*creases : nullptr,
-                             .spheres = points.triangles.empty() ? nullptr : &in_time.spheres(),
+                             .spheres = mesh.triangles.empty() ? nullptr : &in_time.spheres(),
                              .textured = textured,
                              .is_borderless = in_time.is_borderless(),
                              .normals = source_of_normals(normals, clean)};
@@ -270,7 +279,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   model.bounding_radius = extent.bounding_radius;
   model.extremes = std::move(extent.extremes);
   model.is_closed = in_time.is_closed();
-  model.stance = stance_of(options.up, stance_of(points));
+  model.stance = stance_of(options.up, stance_of(mesh));
   model.has_colours = textured || !points.colours.empty();
   report_model(made.fidelity, model, result.report);
   if (options.distances) {
@@ -295,8 +304,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 }  // namespace
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
-  // A mesh with materials may have few vertices: points are added on its triangles.
-  if (!has_triangle_colours(points)) {
+  // A mesh may have few points: others are spread over its triangles.
+  if (!has_triangle_colours(points) && !(area_of_triangles(points) > 0.0)) {
     RELIEF_TRY(check_points(points.positions));
   }
   RELIEF_TRY(check_spacing(options.spacing, bounds_of(points.positions)));

@@ -7,6 +7,7 @@
 #include "common/seams/make_seams.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/mesh_fit/fit_to_mesh.h"
+#include "preprocess/resample/borders/thin_borders.h"
 #include "preprocess/resample/region_patches.h"
 #include "preprocess/resample/spacing/error_spacing.h"
 #include "preprocess/resample/spacing/patch_spacing.h"
@@ -41,18 +42,25 @@ SampleBudget budget_of(const PartitionedScan& scan, const ConvertOptions& option
   return budget;
 }
 
-/// Fits patches that meet to the mesh; others take its normals alone.
-void take_mesh(const Points& mesh, const TriangleSpheres& spheres, bool seams,
+/// Fits patches that meet to the mesh; others take its normals alone. `regions`: of the patches.
+void take_mesh(const PartitionedScan& scan, const std::vector<Region>& regions,
                std::vector<Patch>& patches, Progress& progress) {
+  const Points& mesh = scan.mesh;
+  const TriangleSpheres& spheres = *scan.spheres;
   progress.begin_stage("fit to triangles", patches.size());
   tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
     if (progress.cancelled()) return;
-    if (seams)
+    if (scan.sides != nullptr) {
+      const std::uint32_t side = side_of(*scan.sides, regions[p].points);
+      cut_to_mesh(mesh, *scan.sides, side, spheres, patches[p]);
+    } else if (scan.creases != nullptr) {
       fit_to_mesh(mesh, mesh.normals, spheres, patches[p]);
-    else
+    } else {
       take_mesh_normals(mesh, mesh.normals, spheres.find_over(patches[p]), patches[p]);
+    }
     progress.advance(1);
   });
+  if (scan.sides != nullptr && !progress.cancelled()) thin_borders(patches);
 }
 
 /// Measures the first `count` points against the patches, and joins normals of those that meet.
@@ -99,6 +107,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
        .creases = scan.creases,
        .scalars = scan.points.scalars,
        .scalar_infos = scan.scalars,
+       .is_cut_later = scan.sides != nullptr,
        .fits = &fits},
       budget.factors, resample_options(options, seams, spacing, scan.normals), regions, progress);
   std::vector<Patch>& patches = made.model.patches;
@@ -107,12 +116,12 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
   if (scan.spheres != nullptr) {
-    take_mesh(scan.points, *scan.spheres, seams, patches, progress);
+    take_mesh(scan, regions, patches, progress);
     if (progress.cancelled()) return interrupted_error();
   }
   if (scan.textured) {
-    RELIEF_TRY(map_textures(scan.points, static_cast<std::uint32_t>(options.texels_per_cell),
-                            patches, progress));
+    RELIEF_TRY(map_textures(scan.mesh, static_cast<std::uint32_t>(options.texels_per_cell), patches,
+                            progress));
   }
 
   progress.begin_stage("measure", 0);

@@ -21,6 +21,8 @@ namespace relief {
 struct PartitionedScan {
   double unit = 1.0;  ///< what lengths are in, in world units, for messages
   const Points& points;
+  const Points& mesh;                ///< that patches are fitted to; `points`, unless it is coarse
+  const MeshSides* sides = nullptr;  ///< of a coarse mesh whose patches meet
   const std::vector<glm::dvec3>&
       scanned;               ///< positions that count; those of `points` without noise
   std::size_t measured = 0;  ///< the first of them: others were added to triangles

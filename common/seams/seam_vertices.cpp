@@ -1,27 +1,73 @@
 #include "common/seams/seam_vertices.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "common/seams/flat_map.h"
+#include "common/seams/planes.h"
 
 namespace relief {
 namespace {
 
-// A seam vertex moves to a crease by this many spacings at most. Planes through few samples may
-// meet anywhere.
-constexpr double kCreaseReach = 0.7;
+// A seam vertex moves to a crease by this many spacings of the coarser patch at most: samples on
+// both sides end up to a cell before it. Planes through few samples may meet anywhere.
+constexpr double kCreaseReach = 1.5;
+
+// Three planes have a common corner if their unit normals span this volume.
+constexpr double kCornerVolume = 0.3;
 
 // A crease turns the normal by this many times as much as the surface bends beside it.
 constexpr double kCreaseContrast = 3.0;
+
+// But a bore bends along its rim, not across it: where a sample has the normal of the plane through
+// it within 10 degrees, and bends by less than half a radian a cell, it is on no round edge.
+constexpr double kPlaneCosine = 0.985;
+constexpr double kBendOfPlane = 0.5;
+
+Plane plane_of(const BorderVertex& v) {
+  return {v.position, v.plane_normal};
+}
+
+bool is_plane(const BorderVertex& v) {
+  return v.bend < kBendOfPlane && glm::dot(v.normal, v.plane_normal) > kPlaneCosine;
+}
 
 /// Whether the surface has a crease between two samples: a turn that is not that of a round
 /// feature.
 bool is_crease(const BorderVertex& a, const BorderVertex& b) {
   if (glm::dot(a.plane_normal, b.plane_normal) > kCreaseCosine) return false;
+  if (is_plane(a) && is_plane(b)) return true;
   const double spacings = glm::distance(a.position, b.position) / std::min(a.spacing, b.spacing);
   const double beside = std::max(a.bend, b.bend) * std::max(spacings, 1.0);
   return glm::distance(a.plane_normal, b.plane_normal) > kCreaseContrast * beside;
+}
+
+/// Whether it has one where planes through them meet.
+bool meet_at_crease(const BorderVertex& a, const BorderVertex& b) {
+  return is_crease(a, b) && glm::dot(a.plane_normal, b.plane_normal) > -kCreaseCosine;
+}
+
+/// Whether `a` and `b` are on one side of a crease, and `c` is on the other.
+bool face_across(const BorderVertex& a, const BorderVertex& b, const BorderVertex& c) {
+  return glm::dot(a.plane_normal, b.plane_normal) > kCreaseCosine && meet_at_crease(a, c) &&
+         meet_at_crease(b, c);
+}
+
+/// The way from the middle of a junction to where creases meet there, or to the one that passes two
+/// patches of a side; 0 without creases.
+glm::dvec3 to_creases(const BorderVertex& a, const BorderVertex& b, const BorderVertex& c,
+                      glm::dvec3 middle) {
+  const Plane at_a = plane_of(a);
+  const Plane at_b = plane_of(b);
+  const Plane at_c = plane_of(c);
+  if (face_across(a, b, c)) return to_crease(mean(at_a, at_b), at_c, middle);
+  if (face_across(b, c, a)) return to_crease(mean(at_b, at_c), at_a, middle);
+  if (face_across(c, a, b)) return to_crease(mean(at_c, at_a), at_b, middle);
+  const bool is_corner = meet_at_crease(a, b) && meet_at_crease(b, c) && meet_at_crease(c, a);
+  if (!is_corner || std::abs(volume_of(at_a, at_b, at_c)) < kCornerVolume) return glm::dvec3(0.0);
+  return to_corner(at_a, at_b, at_c, middle);
 }
 
 class Sharing {
@@ -89,6 +135,12 @@ class Sharing {
       seams[k] = seam(t[k], t[(k + 1) % 3]);
       middle += seams_.vertices[seams[k] & ~kSeamVertexBit].position / 3.0;
     }
+    const BorderVertex& a = vertices_[t[0]];
+    const BorderVertex& b = vertices_[t[1]];
+    const BorderVertex& c = vertices_[t[2]];
+    const glm::dvec3 offset = to_creases(a, b, c, middle);
+    if (glm::length(offset) <= kCreaseReach * std::max({a.spacing, b.spacing, c.spacing}))
+      middle += offset;
     const auto junction = static_cast<std::uint32_t>(seams_.vertices.size()) | kSeamVertexBit;
     seams_.vertices.push_back({middle, patch(t[0])});
     for (std::size_t k = 0; k < 3; ++k) {
@@ -107,15 +159,9 @@ class Sharing {
 glm::dvec3 seam_position(const BorderVertex& a, const BorderVertex& b) {
   const glm::dvec3 d = b.position - a.position;
   const glm::dvec3 middle = 0.5 * (a.position + b.position);
-  const double cosine = glm::dot(a.plane_normal, b.plane_normal);
-  if (is_crease(a, b) && cosine > -kCreaseCosine) {
-    // middle + s a.plane_normal + t b.plane_normal on both planes: the nearest such point.
-    const double rise_a = glm::dot(d, a.plane_normal);
-    const double rise_b = glm::dot(d, b.plane_normal);
-    const double s = (-0.5 * rise_a - 0.5 * cosine * rise_b) / (1.0 - cosine * cosine);
-    const double t = (0.5 * rise_b + 0.5 * cosine * rise_a) / (1.0 - cosine * cosine);
-    const glm::dvec3 offset = s * a.plane_normal + t * b.plane_normal;
-    const double most = kCreaseReach * std::min(std::min(a.spacing, b.spacing), glm::length(d));
+  if (meet_at_crease(a, b)) {
+    const glm::dvec3 offset = to_crease(plane_of(a), plane_of(b), middle);
+    const double most = kCreaseReach * std::min(std::max(a.spacing, b.spacing), glm::length(d));
     return middle + offset * std::min(1.0, most / std::max(glm::length(offset), 1e-300));
   }
   return middle + 0.125 * (glm::dot(d, b.normal) * b.normal - glm::dot(d, a.normal) * a.normal);

@@ -19,7 +19,7 @@ constexpr std::size_t kRings = 6;
 // Noise alone makes a mean of so many of its standard deviations. With 0, 0.5 and 0.7 samples of a
 // scan of ridges and valleys keep 0.89, 0.90 and 0.91 of their distance to the surface, those of a
 // sphere with noise of one spacing 1.45, 1.33 and 1.27.
-constexpr double kLikelyDeviations = 0.7;
+constexpr double kDeviationsOfMean = 0.7;
 // Points whose normals turn by more than 45 degrees are of another surface.
 constexpr float kLeastCosine = 0.7F;
 
@@ -55,7 +55,7 @@ double bias_at(std::uint32_t centre, const Rings& rings, double unit, double noi
   if (sum == 0.0) return 0.0;
   // Of the mean, and of the noise in it.
   const double mean = sum / weight;
-  const double likely = kLikelyDeviations * noise * std::sqrt(squared_weight) / weight;
+  const double likely = kDeviationsOfMean * noise * std::sqrt(squared_weight) / weight;
   return mean * std::max(1.0 - likely * likely / (mean * mean), 0.0);
 }
 

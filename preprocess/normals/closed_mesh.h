@@ -1,8 +1,8 @@
 // Detects meshes that enclose a body, and those that have no border.
 #pragma once
 
+#include "common/mesh/mesh_edges.h"
 #include "common/points.h"
-#include "preprocess/normals/mesh_edges.h"
 
 namespace relief {
 

@@ -126,9 +126,6 @@ NormalsReport check_given(Points& points, const NeighbourGraph& graph, const Loc
   return report;
 }
 
-// Real meshes have a few bad edges at non-manifold spots; a soup has half of them.
-constexpr double kMaxMisoriented = 0.05;
-
 bool has_normal(const Points& points) {
   return std::any_of(points.normals.begin(), points.normals.end(), usable);
 }
@@ -162,10 +159,11 @@ std::vector<glm::vec3> normals_of_faces(const Points& points, const MeshEdges& e
 NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
                                const LocalFrames& frames, const NormalsOptions& options,
                                const Progress& progress) {
-  if (has_normal(points)) return check_given(points, graph, frames, options.side, progress);
-
   NormalsReport report;
   report.estimated = true;
+  if (options.are_of_faces) return report;
+  if (has_normal(points)) return check_given(points, graph, frames, options.side, progress);
+
   std::vector<glm::vec3> normals =
       options.of_faces != nullptr ? *options.of_faces : normals_of_faces(points, MeshEdges(points));
   if (!normals.empty()) {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/mesh/mesh_edges.h"
 #include "common/neighbours/neighbours.h"
 #include "common/points.h"
 #include "common/progress.h"
 #include "preprocess/normals/known_sides.h"
-#include "preprocess/normals/mesh_edges.h"
 #include "preprocess/normals/sheets.h"
 
 namespace relief {
@@ -36,6 +36,8 @@ struct NormalsOptions {
   SideChoice side;
   /// The result of normals_of_faces; null: it is computed.
   const std::vector<glm::vec3>* of_faces = nullptr;
+  /// The points' normals are those of triangles that agree about their sides: nothing is repaired.
+  bool are_of_faces = false;
 };
 
 /// Makes `points.normals` unit vectors, one per point: the given normals (zero, NaN and

@@ -14,7 +14,4 @@ namespace relief {
 /// and have no triangles. Returns their number.
 std::size_t densify_triangles(Points& points, std::size_t at_least = 0);
 
-/// The area of all triangles, world units squared.
-[[nodiscard]] double area_of_triangles(const Points& mesh);
-
 }  // namespace relief

@@ -72,7 +72,8 @@ std::vector<Patch> make_patches(const ScanSurface& scan, const std::vector<doubl
   std::vector<Patch> patches = resample_all(bordered, factors, options, regions, progress);
   if (progress.cancelled()) return patches;
   drop_redundant(scan.samples, scan.graph, regions, patches);
-  if (options.seams) thin_borders(patches);
+  // Patches that are cut later have too many samples yet.
+  if (options.seams && !scan.is_cut_later) thin_borders(patches);
   return patches;
 }
 

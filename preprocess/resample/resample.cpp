@@ -152,7 +152,8 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
     drop_foreign_nodes({.points = points,
                         .all = all,
                         .creases = creases && creases->any() ? &*creases : nullptr,
-                        .of_others = scan.membership.of_others},
+                        .of_others = scan.membership.of_others,
+                        .is_cut_later = scan.is_cut_later},
                        grid, surface, states);
     if (std::ranges::count(states, NodeState::Hole) == std::ssize(states)) return {};
   }

@@ -1,11 +1,15 @@
 #include "renderer/geometry/mesh_of_points.h"
 
 #include "common/image/srgb.h"
+#include "common/mesh/coarse_mesh.h"
+#include "common/mesh/creases.h"
 #include "common/mesh/mesh_normals.h"
 #include "common/mesh/mesh_tangents.h"
 
 namespace relief {
-TriangleMesh mesh_of_points(const Points& points) {
+namespace {
+
+TriangleMesh smooth_mesh(const Points& points) {
   TriangleMesh mesh;
   mesh.positions = points.positions;
   mesh.triangles = points.triangles;
@@ -22,6 +26,15 @@ TriangleMesh mesh_of_points(const Points& points) {
     mesh.texcoords[t] = texcoords_of(points, t);
   if (has_normal_maps(points)) mesh.tangents = tangents_of(points, mesh.normals);
   return mesh;
+}
+
+}  // namespace
+
+TriangleMesh mesh_of_points(const Points& points) {
+  if (!points.normals.empty() || !is_coarse_mesh(points)) return smooth_mesh(points);
+  Points split = points;
+  split_at_creases(split);
+  return smooth_mesh(split);
 }
 
 }  // namespace relief

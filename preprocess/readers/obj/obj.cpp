@@ -1,8 +1,10 @@
 #include <charconv>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
+#include "common/mesh/coarse_mesh.h"
 #include "preprocess/readers/colours.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/readers.h"
@@ -44,6 +46,7 @@ class ObjReader {
     if (colours_.size() == points_.size()) {
       points_.colours = to_colours(colours_, ColourNumbers::Real);
     }
+    keep_normals();
     return std::move(points_);
   }
 
@@ -112,6 +115,7 @@ class ObjReader {
   Status read_face() {
     polygon_.clear();
     polygon_texcoords_.clear();
+    polygon_normals_.clear();
     bool has_texcoords = true;
     while (!line_.at_line_end()) {
       Corner corner;
@@ -120,11 +124,13 @@ class ObjReader {
       (void)line_.word();
       polygon_.push_back(corner.position);
       polygon_texcoords_.push_back(corner.texcoord);
+      polygon_normals_.push_back(corner.normal);
       corners_.push_back(corner);
       has_texcoords = has_texcoords && corner.texcoord != kNoPoint;
     }
     append_polygon(polygon_, points_.triangles);
     append_polygon(polygon_texcoords_, triangle_texcoords_);
+    append_polygon(polygon_normals_, triangle_normals_);
     points_.triangle_materials.resize(points_.triangles.size(), material_of_face(has_texcoords));
     return {};
   }
@@ -156,6 +162,34 @@ class ObjReader {
       if (corner.normal >= normals_.size() || corner.position >= points_.size()) continue;
       if (points_.normals.empty()) points_.normals.assign(points_.size(), glm::vec3(0.0F));
       points_.normals[corner.position] += normals_[corner.normal];
+    }
+  }
+
+  /// Large triangles show whether the edge between them is sharp: a vertex of a coarse mesh is
+  /// repeated for each of its normals.
+  void keep_normals() {
+    if (points_.normals.empty() || !is_coarse_mesh(points_)) return;
+    if (points_.size() + 3 * points_.triangles.size() >= kNoPoint) return;
+    std::unordered_map<std::uint64_t, std::uint32_t> point_of;
+    std::vector<bool> is_taken(points_.size(), false);
+    for (std::size_t t = 0; t < points_.triangles.size(); ++t) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        std::uint32_t& corner = points_.triangles[t][c];
+        const std::uint32_t normal = triangle_normals_[t][c];
+        if (corner >= is_taken.size() || normal >= normals_.size()) continue;
+        const auto [found, is_new] =
+            point_of.try_emplace(std::uint64_t{corner} << 32U | normal, corner);
+        if (is_new) {
+          if (is_taken[corner]) {
+            found->second = static_cast<std::uint32_t>(points_.size());
+            repeat_point(points_, corner);
+          } else {
+            is_taken[corner] = true;
+          }
+          points_.normals[found->second] = normals_[normal];
+        }
+        corner = found->second;
+      }
     }
   }
 
@@ -210,7 +244,9 @@ class ObjReader {
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> polygon_;
   std::vector<std::uint32_t> polygon_texcoords_;
+  std::vector<std::uint32_t> polygon_normals_;
   std::vector<Triangle> triangle_texcoords_;  ///< indices into texcoords_, beside the triangles
+  std::vector<Triangle> triangle_normals_;    ///< indices into normals_, beside the triangles
   double numbers_[8] = {};
   std::size_t count_ = 0;
 };

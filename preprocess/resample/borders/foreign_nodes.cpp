@@ -93,8 +93,9 @@ class NodeJudge {
     const double own = votes.own + votes.tiles;
     if (own < kOwnShare * (own + votes.others)) return NodeState::Hole;
     const double overhang = kOverhangInSpacings * grid_.spacing;
-    const bool overhangs =
-        !crease && votes.nearest > overhang * overhang && widest_sector(directions_) > kOpenSector;
+    const bool overhangs = !crease && !around_.is_cut_later &&
+                           votes.nearest > overhang * overhang &&
+                           widest_sector(directions_) > kOpenSector;
     return overhangs ? NodeState::Hole : NodeState::Own;
   }
 

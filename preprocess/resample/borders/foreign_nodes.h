@@ -18,6 +18,7 @@ struct PatchSurroundings {
   /// Points from here on (Membership) are of other tiles. Nothing meets the patch there: they vote
   /// with its own, and it keeps its margin over them.
   std::uint32_t of_others = 0;
+  bool is_cut_later = false;  ///< by cut_to_mesh(): nodes may overhang the scan's border
 };
 
 /// Decides whose nodes are: those of NodeState::Own and Margin become Own, or holes if they belong

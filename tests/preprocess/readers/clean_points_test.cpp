@@ -97,5 +97,32 @@ TEST(CleanPointsTest, RepeatedTrianglesAreDroppedWithTheirAttributes) {
   EXPECT_EQ(result.points.triangle_materials, (std::vector<std::uint32_t>{7, 10, 11}));
 }
 
+TEST(CleanPointsTest, LargeTrianglesKeepTheNormalsOfTheirCorners) {
+  // Two sides of a roof, and a third triangle that goes on the second.
+  Points points;
+  points.positions = {{0, 0, 1}, {1, 0, 1}, {0, -1, 0}, {0, 0, 1}, {1, 0, 1},
+                      {0, 1, 0}, {1, 0, 1}, {0, 1, 0},  {1, 1, 0}};
+  points.normals.assign(9, vec3(0, 1, 1));
+  for (const std::size_t k : {0U, 1U, 2U}) points.normals[k] = vec3(0, -1, 1);
+  points.normals[6] = vec3(0, 2, 2);  // of any length
+  points.triangles = {{0, 2, 1}, {3, 4, 5}, {6, 8, 7}};
+  const ReadResult result = clean_points(points);
+  EXPECT_EQ(result.merged_duplicates, 2U);
+  EXPECT_EQ(result.points.triangles, (std::vector<Triangle>{{0, 2, 1}, {3, 4, 5}, {4, 6, 5}}));
+}
+
+TEST(CleanPointsTest, AHostileFanOfNormalsIsBounded) {
+  // A million corners in one place, no two alike, and one triangle larger than all others.
+  Points points;
+  for (int k = 0; k < 1'000'000; ++k) {
+    points.positions.emplace_back(0, 0, 0);
+    points.normals.emplace_back(std::cos(0.02 * k), std::sin(0.02 * k), 1e-6 * k);
+  }
+  points.positions.insert(points.positions.end(), {{1, 0, 0}, {0, 1, 0}});
+  points.normals.insert(points.normals.end(), 2, vec3(0, 0, 1));
+  points.triangles = {{0, 1'000'000, 1'000'001}};
+  EXPECT_LE(clean_points(std::move(points)).points.size(), 34U);
+}
+
 }  // namespace
 }  // namespace relief::test

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "tests/preprocess/readers/scan_files.h"
 
 namespace relief::test {
@@ -28,17 +30,38 @@ TEST(ObjTest, DropsFacesThatNameNoVertex) {
             (std::vector<Triangle>{{0, 1, 2}}));
 }
 
-TEST(ObjTest, GivesVerticesTheMeanNormalAndTheFirstTextureCoordinate) {
-  const Points points = read("a.obj", kSquare +
-                                          "vn 0 0 1\nvn 0 1 0\nvt 0.1 0.2\nvt 0.3 0.4\n"
-                                          "f 1/1/1 2/2/1 3//1\nf 1/2/2 3/1/1 4/1/\n");
-  ASSERT_EQ(points.normals.size(), 4U);
-  EXPECT_EQ(points.normals[0], glm::vec3(0, 1, 1));
-  EXPECT_EQ(points.normals[2], glm::vec3(0, 0, 2));
-  EXPECT_EQ(points.normals[3], glm::vec3(0, 0, 0)) << "no corner has one";
+TEST(ObjTest, GivesVerticesTheFirstTextureCoordinate) {
+  const Points points =
+      read("a.obj", kSquare + "vt 0.1 0.2\nvt 0.3 0.4\nf 1/1 2/2 3\nf 1/2 3/1 4/1\n");
   ASSERT_EQ(points.texcoords.size(), 4U);
   EXPECT_EQ(points.texcoords[0], glm::vec2(0.1F, 0.2F));
   EXPECT_EQ(points.texcoords[2], glm::vec2(0.1F, 0.2F)) << "its first corner has none";
+}
+
+TEST(ObjTest, RepeatsVerticesOfLargeTrianglesForEachNormal) {
+  const Points points =
+      read("a.obj", kSquare + "vn 0 0 1\nvn 0 1 0\nf 1//1 2//1 3//1\nf 1//2 3//1 4\n");
+  ASSERT_EQ(points.normals.size(), 5U);
+  EXPECT_EQ(points.triangles, (std::vector<Triangle>{{0, 1, 2}, {4, 2, 3}}));
+  EXPECT_EQ(points.positions[4], points.positions[0]);
+  EXPECT_EQ(points.normals[0], glm::vec3(0, 0, 1));
+  EXPECT_EQ(points.normals[4], glm::vec3(0, 1, 0));
+  EXPECT_EQ(points.normals[2], glm::vec3(0, 0, 1));
+  EXPECT_EQ(points.normals[3], glm::vec3(0, 0, 0)) << "no corner has one";
+}
+
+TEST(ObjTest, GivesVerticesOfSmallTrianglesTheMeanNormal) {
+  // A scan of 80 by 80 vertices; one triangle in two has another normal.
+  std::string text = "vn 0 0 1\nvn 0 1 0\n";
+  for (int k = 0; k < 6400; ++k) text += fmt::format("v {} {} 0\n", k % 80, k / 80);
+  for (int k = 0; k < 6320; ++k) {
+    if (k % 80 == 79) continue;
+    text += fmt::format("f {0}//1 {1}//1 {2}//1\nf {0}//2 {2}//2 {3}//2\n", k + 1, k + 2, k + 82,
+                        k + 81);
+  }
+  const Points points = read("a.obj", text);
+  ASSERT_EQ(points.normals.size(), 6400U);
+  EXPECT_EQ(points.normals[0], glm::vec3(0, 1, 1));
 }
 
 TEST(ObjTest, TrianglesKeepTheSeamsOfTextures) {

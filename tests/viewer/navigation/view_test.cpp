@@ -1,6 +1,7 @@
 // Views and transitions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <glm/gtc/quaternion.hpp>
 

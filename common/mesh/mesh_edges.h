@@ -9,6 +9,10 @@
 
 namespace relief {
 
+/// Of edges that triangles traverse alike: a mesh with fewer is oriented. Real meshes have a few at
+/// spots that are no manifold; in a soup half of all are.
+inline constexpr double kMaxMisoriented = 0.05;
+
 /// An edge as traversed by one triangle.
 struct EdgeUse {
   std::uint32_t greater = 0;  ///< of the edge's two points
@@ -20,7 +24,9 @@ struct EdgeUse {
 /// number of threads.
 class MeshEdges {
  public:
-  explicit MeshEdges(const Points& mesh);
+  explicit MeshEdges(const Points& mesh) : MeshEdges(mesh.size(), mesh.triangles) {}
+  /// Of triangles of the first `points` points.
+  MeshEdges(std::size_t points, std::span<const Triangle> triangles);
 
   /// Returns the edges whose smaller index is this point; uses of one edge are adjacent, in the
   /// triangles' order.

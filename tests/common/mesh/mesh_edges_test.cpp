@@ -1,5 +1,5 @@
 // What the edges of small meshes are, counted by hand.
-#include "preprocess/normals/mesh_edges.h"
+#include "common/mesh/mesh_edges.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "preprocess/normals/mesh_edges.h"
+#include "common/mesh/mesh_edges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -34,12 +34,12 @@ void count(std::span<const EdgeUse> uses, Census& census) {
 
 }  // namespace
 
-MeshEdges::MeshEdges(const Points& mesh) {
-  if (mesh.triangles.empty()) return;  // a large scan needs no table
-  starts_.assign(mesh.size() + 1, 0);
-  const auto for_each_edge = [&mesh](const auto& fn) {
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle& corners = mesh.triangles[t];
+MeshEdges::MeshEdges(std::size_t points, std::span<const Triangle> triangles) {
+  if (triangles.empty()) return;  // a large scan needs no table
+  starts_.assign(points + 1, 0);
+  const auto for_each_edge = [triangles](const auto& fn) {
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      const Triangle& corners = triangles[t];
       for (std::size_t c = 0; c < 3; ++c) fn(t, corners[c], corners[(c + 1) % 3]);
     }
   };
@@ -48,13 +48,13 @@ MeshEdges::MeshEdges(const Points& mesh) {
   });
   for (std::size_t p = 1; p < starts_.size(); ++p) starts_[p] += starts_[p - 1];
   std::vector<std::uint64_t> cursor(starts_.begin(), starts_.end() - 1);
-  uses_.resize(3 * mesh.triangles.size());
+  uses_.resize(3 * triangles.size());
   for_each_edge([&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
     uses_[cursor[std::min(from, to)]++] = {std::max(from, to), t, from < to};
   });
 
   const Census census = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, mesh.size(), 4096), Census{},
+      tbb::blocked_range<std::size_t>(0, points, 4096), Census{},
       [&](const tbb::blocked_range<std::size_t>& range, Census part) {
         for (std::size_t p = range.begin(); p != range.end(); ++p) {
           const std::span<EdgeUse> uses =

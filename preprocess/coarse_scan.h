@@ -1,0 +1,32 @@
+// Meshes that are converted from points spread over them: their own are too few.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "common/error.h"
+#include "common/points.h"
+#include "preprocess/mesh_fit/mesh_sides.h"
+
+namespace relief {
+
+/// A coarse mesh (is_coarse_mesh), whose points were replaced.
+struct CoarseScan {
+  Points mesh;                   ///< with unit normals; a point on a crease has one for each side
+  std::vector<Triangle> welded;  ///< its triangles, with one point a position
+  MeshSides sides;               ///< of its triangles, and of the points in place of its own
+  bool has_sides = true;         ///< patches keep to them
+  bool has_own_normals = false;  ///< the file's
+  bool is_oriented = true;       ///< its triangles agree about which side is out
+};
+
+/// How many points a mesh with few of its own shall have: 70,000, or more if the spacing (world
+/// units; 0: none) asks for them.
+[[nodiscard]] std::size_t least_points(const Points& mesh, double spacing);
+
+/// If `points` is a coarse mesh, takes it and leaves points spread over it in its place. Fails if
+/// its triangles have no area that they could lie on.
+Result<std::optional<CoarseScan>> take_coarse_mesh(Points& points, double spacing);
+
+}  // namespace relief

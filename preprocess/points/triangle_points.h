@@ -1,0 +1,90 @@
+// Points on the triangles of a mesh, about equally far apart.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <unordered_set>
+
+#include "common/points.h"
+
+namespace relief {
+
+/// Goes through the points of a mesh's triangles, except their corners: those on edges, and within
+/// triangles those of rows parallel to the longest edge. Each is told by its triangle and its
+/// weights there. Hostile lengths are cut into no more than 4096 pieces.
+class TrianglePoints {
+ public:
+  /// About `step` apart, world units. Edges up to `longest_left_alone` get none, nor do triangles
+  /// without a longer edge.
+  TrianglePoints(const Points& mesh, double longest_left_alone, double step)
+      : mesh_(mesh), longest_left_alone_(longest_left_alone), step_(step) {}
+
+  /// Calls `add(triangle, weights)` for the points of a triangle's edges that no earlier one had.
+  /// Ends when that returns false, and returns whether it never did; so does the next one.
+  template <class Add>
+  bool on_edges(std::size_t triangle, const Add& add) {
+    const Triangle& t = mesh_.triangles[triangle];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t a = std::min(t[c], t[(c + 1) % 3]);
+      const std::uint32_t b = std::max(t[c], t[(c + 1) % 3]);
+      const double length = length_of(t, c);
+      if (length <= longest_left_alone_ || !edges_done_.insert(std::uint64_t{a} << 32 | b).second)
+        continue;
+      const int pieces = count_pieces(length);
+      for (int i = 1; i < pieces; ++i) {
+        const double s = static_cast<double>(i) / pieces;
+        if (!add(Triangle{a, b, b}, glm::dvec3(1.0 - s, s, 0.0))) return false;
+      }
+    }
+    return true;
+  }
+
+  template <class Add>
+  bool within(std::size_t triangle, const Add& add) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    std::size_t longest = 0;
+    for (std::size_t c = 1; c < 3; ++c) {
+      if (length_of(t, c) > length_of(t, longest)) longest = c;
+    }
+    const double length = length_of(t, longest);
+    if (length <= longest_left_alone_) return true;
+    const Triangle turned{t[longest], t[(longest + 1) % 3], t[(longest + 2) % 3]};
+    const glm::dvec3 base = mesh_.positions[turned[1]] - mesh_.positions[turned[0]];
+    const glm::dvec3 side = mesh_.positions[turned[2]] - mesh_.positions[turned[0]];
+    const int rows = count_pieces(glm::length(glm::cross(base, side)) / length);
+    for (int row = 1; row < rows; ++row) {
+      const double up = static_cast<double>(row) / rows;
+      const int pieces = count_pieces(length * (1.0 - up));
+      for (int i = 1; i < pieces; ++i) {
+        const double s = (1.0 - up) * i / pieces;
+        if (!add(turned, glm::dvec3(1.0 - up - s, s, up))) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  /// Of the edge from a corner to the next.
+  [[nodiscard]] double length_of(const Triangle& t, std::size_t corner) const {
+    return glm::distance(mesh_.positions[t[corner]], mesh_.positions[t[(corner + 1) % 3]]);
+  }
+  [[nodiscard]] int count_pieces(double length) const {
+    return static_cast<int>(std::min(length / step_, 4095.0)) + 1;
+  }
+
+  const Points& mesh_;
+  double longest_left_alone_;
+  double step_;
+  std::unordered_set<std::uint64_t> edges_done_;
+};
+
+/// Appends a point of a mesh's triangle to `points`, with attributes that are interpolated; labels
+/// are the nearest corner's. `points` may be the mesh itself.
+void append_point(const Points& mesh, const Triangle& t, glm::dvec3 weights, Points& points);
+
+}  // namespace relief
