@@ -68,8 +68,10 @@ std::size_t least_points(const Points& mesh, double spacing) {
   return std::max(kFewestPoints, static_cast<std::size_t>(std::min(wanted, kMostAskedFor)));
 }
 
-Result<std::optional<CoarseScan>> take_coarse_mesh(Points& points, double spacing) {
+Result<std::optional<CoarseScan>> take_coarse_mesh(Points& points, double spacing,
+                                                   Progress& progress) {
   if (!is_coarse_mesh(points)) return std::optional<CoarseScan>();
+  progress.begin_stage("spread points", 0);
   auto result = std::make_optional<CoarseScan>();
   CoarseScan& coarse = *result;
   coarse.has_own_normals = !points.normals.empty();
@@ -85,7 +87,8 @@ Result<std::optional<CoarseScan>> take_coarse_mesh(Points& points, double spacin
   else
     split_at_creases(coarse.mesh);
   const std::size_t count = std::max(coarse.mesh.size(), least_points(coarse.mesh, spacing));
-  SpreadPoints spread = spread_on_mesh(coarse.mesh, count);
+  SpreadPoints spread = spread_on_mesh(coarse.mesh, count, progress);
+  if (progress.cancelled()) return interrupted_error();
   points = std::move(spread.points);
   if (coarse.has_sides) keep_large_sides(spread.triangles, coarse, points);
   if (points.size() < kMinSurfacePoints)

@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "common/points.h"
+#include "common/progress.h"
 #include "preprocess/mesh_fit/mesh_sides.h"
 
 namespace relief {
@@ -26,7 +27,8 @@ struct CoarseScan {
 [[nodiscard]] std::size_t least_points(const Points& mesh, double spacing);
 
 /// If `points` is a coarse mesh, takes it and leaves points spread over it in its place. Fails if
-/// its triangles have no area that they could lie on.
-Result<std::optional<CoarseScan>> take_coarse_mesh(Points& points, double spacing);
+/// its triangles have no area that they could lie on, or if the user interrupts.
+Result<std::optional<CoarseScan>> take_coarse_mesh(Points& points, double spacing,
+                                                   Progress& progress);
 
 }  // namespace relief

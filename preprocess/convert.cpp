@@ -206,7 +206,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   RELIEF_TRY(drop_noise(points, options, unit, clean, result.report, progress));
   result.report.points = points.size();
   RELIEF_TRY_ASSIGN(const std::optional<CoarseScan> coarse,
-                    take_coarse_mesh(points, options.spacing));
+                    take_coarse_mesh(points, options.spacing, progress));
   const Points& mesh = coarse ? coarse->mesh : points;
   if (coarse) {
     result.report.points_added = points.size();

@@ -120,7 +120,7 @@ bool for_each_place(const Points& mesh, double step, const Add& add) {
 
 }  // namespace
 
-SpreadPoints spread_on_mesh(const Points& mesh, std::size_t count) {
+SpreadPoints spread_on_mesh(const Points& mesh, std::size_t count, const Progress& progress) {
   double step = std::sqrt(area_of_triangles(mesh) / static_cast<double>(count));
   if (!(step > 0.0) || !std::isfinite(step)) return {};
   const std::size_t most = kMostLooks * std::max(count, mesh.size());
@@ -129,11 +129,11 @@ SpreadPoints spread_on_mesh(const Points& mesh, std::size_t count) {
     return for_each_place(
         mesh, length, [&](std::uint32_t, const Triangle&, glm::dvec3) { return ++looks <= most; });
   };
-  while (!fits(step)) step *= 1.5;
+  while (!progress.cancelled() && !fits(step)) step *= 1.5;
   SpacedPoints spaced(mesh, kNearest * step);
   for_each_place(mesh, step, [&](std::uint32_t k, const Triangle& t, glm::dvec3 weights) {
     spaced.add(k, t, weights);
-    return true;
+    return !progress.cancelled();
   });
   return spaced.take();
 }

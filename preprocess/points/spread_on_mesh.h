@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/points.h"
+#include "common/progress.h"
 
 namespace relief {
 
@@ -18,7 +19,8 @@ struct SpreadPoints {
 /// Its corners come first, then points of edges, then those within triangles; none is nearer to an
 /// earlier one than three fifths of their distance, unless they lie on two sides of a thin wall. So
 /// edges keep their points, and needles do not crowd them. The mesh must have normals. No points if
-/// the triangles have no area.
-[[nodiscard]] SpreadPoints spread_on_mesh(const Points& mesh, std::size_t count);
+/// the triangles have no area. Incomplete if the user interrupts.
+[[nodiscard]] SpreadPoints spread_on_mesh(const Points& mesh, std::size_t count,
+                                          const Progress& progress = Progress());
 
 }  // namespace relief

@@ -109,7 +109,8 @@ TEST(CoarseScan, ASpacingAsksForMorePoints) {
 TEST(CoarseScan, LeavesScansAlone) {
   Points bare = test::cube();
   bare.triangles.clear();
-  const Result<std::optional<CoarseScan>> none = take_coarse_mesh(bare, 0.0);
+  Progress progress;
+  const Result<std::optional<CoarseScan>> none = take_coarse_mesh(bare, 0.0, progress);
   ASSERT_TRUE(none);
   EXPECT_FALSE(*none);
   EXPECT_EQ(bare.size(), 8U);

@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <cstdlib>
 
 #include <utility>
 
@@ -55,6 +56,10 @@ Modifiers held_modifiers(GLFWwindow* window) {
 }  // namespace
 
 Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
+#if GLFW_VERSION_MAJOR == 3 && GLFW_VERSION_MINOR >= 4
+  // Without this folder there is no Wayland, and its library would complain on standard error.
+  if (std::getenv("XDG_RUNTIME_DIR") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
   if (glfwInit() != GLFW_TRUE) {
     return make_error(
         "there is no display for a window ({}); `relief render FILE -o picture.png` needs none",

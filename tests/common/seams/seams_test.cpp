@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <map>
 
 #include "common/octahedral.h"
 #include "common/seams/border_parts.h"
 #include "common/seams/fill_loops.h"
 #include "common/seams/front.h"
+#include "common/seams/planes.h"
 #include "common/seams/seam_vertices.h"
 #include "tests/common/seams/joined_mesh.h"
 
@@ -172,6 +175,34 @@ TEST(Seams, MeetWhereTheTangentPlanesOfACreaseDo) {
   BorderVertex round = top;
   round.bend = 0.7;
   EXPECT_LT(seam_position(round, side).z, -0.01);
+}
+
+TEST(Seams, MeetAtTheRimOfABore) {
+  // Its wall bends along the rim by 0.49 a cell, as a circle of two spacings does.
+  const BorderVertex end = vertex({-0.6, 0.0, 0.0}, {0, 0, 1}, 0.01);
+  BorderVertex wall = vertex({0.0, 0.0, -0.8}, {1, 0, 0}, 0.49);
+  EXPECT_LT(glm::length(seam_position(end, wall)), 1e-12);
+  // A sample whose own normal is 15 degrees off its plane is on a round edge.
+  const double angle = glm::radians(15.0);
+  wall.normal = {std::cos(angle), 0.0, std::sin(angle)};
+  EXPECT_GT(glm::length(seam_position(end, wall)), 0.1);
+}
+
+TEST(Planes, MeetInALineAndInACorner) {
+  const Plane x{{1, 5, 5}, {1, 0, 0}};
+  const Plane y{{7, 2, 7}, {0, 1, 0}};
+  const Plane z{{9, 9, 3}, {0, 0, 1}};
+  const glm::dvec3 from(0.5, 0.25, 0.125);
+  EXPECT_LT(glm::distance(from + to_crease(x, y, from), glm::dvec3(1, 2, 0.125)), 1e-15);
+  EXPECT_LT(glm::distance(from + to_corner(x, y, z, from), glm::dvec3(1, 2, 3)), 1e-15);
+  EXPECT_EQ(volume_of(x, y, z), 1.0);
+  // Askew: on both, and straight across their line.
+  const Plane askew{{1, 0, 0}, glm::normalize(glm::dvec3(1, 1, 0))};
+  const glm::dvec3 way = to_crease(x, askew, from);
+  EXPECT_LT(std::abs(x.above(from + way)), 1e-15);
+  EXPECT_LT(std::abs(askew.above(from + way)), 1e-15);
+  EXPECT_EQ(way.z, 0.0);
+  EXPECT_LT(glm::distance(mean(x, y).normal, glm::normalize(glm::dvec3(1, 1, 0))), 1e-15);
 }
 
 TEST(Seams, FillALoopWithADentWithoutFoldingOver) {
