@@ -1,6 +1,7 @@
 #include "preprocess/coarse_scan.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -20,6 +21,8 @@ namespace {
 // 110 samples, a spacing is a 250th of a gear's width, and a conversion takes half a second.
 constexpr std::size_t kFewestPoints = 70'000;
 constexpr double kMostAskedFor = 2e6;
+// Eight by eight on a face of a box, of which a town has thousands.
+constexpr std::size_t kPointsPerSide = 64;
 // The share of points on sides of a few points; with more, creases are no order that patches could
 // keep to.
 constexpr double kMostInSmallSides = 0.1;
@@ -36,6 +39,15 @@ std::vector<Triangle> weld(const Points& mesh) {
     for (std::uint32_t& corner : t) corner = first[corner];
   }
   return welded;
+}
+
+/// The points that sides of two triangles and more ask for.
+std::size_t points_for_sides(const std::vector<std::uint32_t>& of_triangles) {
+  std::map<std::uint32_t, std::size_t> counts;
+  for (const std::uint32_t side : of_triangles) ++counts[side];
+  const auto sides = static_cast<std::size_t>(
+      std::ranges::count_if(counts, [](const auto& count) { return count.second > 1; }));
+  return std::min(kPointsPerSide * sides, static_cast<std::size_t>(kMostAskedFor));
 }
 
 /// Finds the sides of points that lie on these triangles, and drops points of small ones; the
@@ -86,7 +98,8 @@ Result<std::optional<CoarseScan>> take_coarse_mesh(Points& points, double spacin
     coarse.mesh.normals = vertex_normals(coarse.mesh);
   else
     split_at_creases(coarse.mesh);
-  const std::size_t count = std::max(coarse.mesh.size(), least_points(coarse.mesh, spacing));
+  const std::size_t count = std::max({coarse.mesh.size(), least_points(coarse.mesh, spacing),
+                                      points_for_sides(coarse.sides.of_triangles)});
   SpreadPoints spread = spread_on_mesh(coarse.mesh, count, progress);
   if (progress.cancelled()) return interrupted_error();
   points = std::move(spread.points);

@@ -293,7 +293,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
 
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
-  const double unit = working_unit(points.positions);
+  const double unit = working_unit_of(points);
   to_working_unit(points, unit);
   RELIEF_TRY_ASSIGN(ConvertResult result,
                     convert_in_unit(points, to_working_unit(options, unit), unit, progress));
@@ -305,7 +305,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
   // A mesh may have few points: others are spread over its triangles.
-  if (!has_triangle_colours(points) && !(area_of_triangles(points) > 0.0)) {
+  if (!has_triangle_colours(points) && !is_coarse_mesh(points)) {
     RELIEF_TRY(check_points(points.positions));
   }
   RELIEF_TRY(check_spacing(options.spacing, bounds_of(points.positions)));

@@ -5,7 +5,9 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "common/bounds.h"
 #include "common/median.h"
+#include "common/mesh/coarse_mesh.h"
 #include "common/scalar.h"
 
 namespace relief {
@@ -43,12 +45,26 @@ Middle middle_of(const std::vector<glm::dvec3>& positions) {
   return middle;
 }
 
+/// 1 without a length.
+double power_of_two_below(double length) {
+  return length > 0.0 && std::isfinite(length) ? std::ldexp(1.0, std::ilogb(length)) : 1.0;
+}
+
 }  // namespace
 
 double working_unit(const std::vector<glm::dvec3>& positions) {
-  if (positions.empty()) return 1.0;
-  const double distance = middle_of(positions).distance;
-  return distance > 0.0 && std::isfinite(distance) ? std::ldexp(1.0, std::ilogb(distance)) : 1.0;
+  return positions.empty() ? 1.0 : power_of_two_below(middle_of(positions).distance);
+}
+
+double working_unit_of(const Points& points) {
+  if (!is_coarse_mesh(points)) return working_unit(points.positions);
+  std::vector<glm::dvec3> corners;
+  corners.reserve(3 * points.triangles.size());
+  for (const Triangle& t : points.triangles) {
+    for (const std::uint32_t corner : t) corners.push_back(points.positions[corner]);
+  }
+  const Bounds bounds = bounds_of(corners);
+  return power_of_two_below(distance_from(bounds.min, bounds.max) / 2.0);
 }
 
 std::vector<glm::dvec3> points_in_the_middle(const std::vector<glm::dvec3>& positions) {

@@ -16,6 +16,10 @@ namespace relief {
 /// and dividing by it is exact.
 [[nodiscard]] double working_unit(const std::vector<glm::dvec3>& positions);
 
+/// The same of what is converted: a coarse mesh (is_coarse_mesh) reaches as far as its triangles,
+/// wherever most of its points are.
+[[nodiscard]] double working_unit_of(const Points& points);
+
 /// Returns the points of a scan that are at most two of its median distances from their middle.
 [[nodiscard]] std::vector<glm::dvec3> points_in_the_middle(
     const std::vector<glm::dvec3>& positions);

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "common/disjoint_sets.h"
+
 namespace relief {
 namespace {
 
@@ -19,10 +21,20 @@ constexpr double kLongEdge = 4.0;
 // is coarse.
 constexpr double kFewestPoints = 5000.0;
 
+// A body of fewer points is small. Many of them, houses of a town, have short edges beside the
+// distance of all points, and no point but corners.
+constexpr std::size_t kSmallBody = 64;
+// A closed surface has two triangles a point, less four for each body: with more than this, bodies
+// have more than 64 points on average, and need not be looked for.
+constexpr double kTrianglesPerPoint = 2.0 - 4.0 / 64.0;
+
+bool has_corners(const Points& mesh, const Triangle& t) {
+  return std::ranges::all_of(t, [&](std::uint32_t corner) { return corner < mesh.size(); });
+}
+
 /// 0 for triangles that a reader would drop.
 double area_of(const Points& mesh, const Triangle& t) {
-  if (std::ranges::any_of(t, [&](std::uint32_t corner) { return corner >= mesh.size(); }))
-    return 0.0;
+  if (!has_corners(mesh, t)) return 0.0;
   const glm::dvec3 a = mesh.positions[t[0]];
   const double area =
       0.5 * glm::length(glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
@@ -36,6 +48,25 @@ double longest_edge(const Points& mesh, const Triangle& t) {
         std::max(longest, glm::distance(mesh.positions[t[c]], mesh.positions[t[(c + 1) % 3]]));
   }
   return longest;
+}
+
+/// The area of bodies of few points. Lone triangles are no bodies.
+double area_of_small_bodies(const Points& mesh) {
+  const auto count = static_cast<double>(mesh.triangles.size());
+  if (count > kTrianglesPerPoint * static_cast<double>(mesh.size())) return 0.0;
+  DisjointSets bodies(mesh.size());
+  for (const Triangle& t : mesh.triangles) {
+    if (!has_corners(mesh, t)) continue;
+    bodies.join(t[0], t[1]);
+    bodies.join(t[0], t[2]);
+  }
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    if (!has_corners(mesh, t)) continue;
+    const std::size_t points = bodies.size(t[0]);
+    if (points > 3 && points < kSmallBody) area += area_of(mesh, t);
+  }
+  return area;
 }
 
 }  // namespace
@@ -56,7 +87,7 @@ bool is_coarse_mesh(const Points& mesh) {
     const double own = area_of(mesh, t);
     if (own > 0.0 && longest_edge(mesh, t) > limit) large += own;
   }
-  return large > 0.5 * area;
+  return large > 0.5 * area || area_of_small_bodies(mesh) > 0.5 * area;
 }
 
 }  // namespace relief

@@ -9,8 +9,8 @@ namespace relief {
 [[nodiscard]] double area_of_triangles(const Points& mesh);
 
 /// Whether most of a mesh's area lies in triangles that are large beside the distance of its
-/// points, so that these do not sample the surface. False without triangles. Triangles with corners
-/// that are no points, or not finite, do not count.
+/// points, or in bodies of few points, so that these do not sample the surface. False without
+/// triangles. Triangles with corners that are no points, or not finite, do not count.
 [[nodiscard]] bool is_coarse_mesh(const Points& mesh);
 
 }  // namespace relief

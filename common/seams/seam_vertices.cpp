@@ -25,6 +25,8 @@ constexpr double kCreaseContrast = 3.0;
 // it within 10 degrees, and bends by less than half a radian a cell, it is on no round edge.
 constexpr double kPlaneCosine = 0.985;
 constexpr double kBendOfPlane = 0.5;
+// Such samples may be on a wedge of 15 degrees. Sharper ones are two sides of a thin wall.
+constexpr double kSharpestWedge = -0.966;
 
 Plane plane_of(const BorderVertex& v) {
   return {v.position, v.plane_normal};
@@ -46,7 +48,15 @@ bool is_crease(const BorderVertex& a, const BorderVertex& b) {
 
 /// Whether it has one where planes through them meet.
 bool meet_at_crease(const BorderVertex& a, const BorderVertex& b) {
-  return is_crease(a, b) && glm::dot(a.plane_normal, b.plane_normal) > -kCreaseCosine;
+  const double sharpest = is_plane(a) && is_plane(b) ? kSharpestWedge : -kCreaseCosine;
+  return is_crease(a, b) && glm::dot(a.plane_normal, b.plane_normal) > sharpest;
+}
+
+/// How far a seam vertex between them may move.
+double reach_between(const BorderVertex& a, const BorderVertex& b) {
+  const double spacing = std::max(a.spacing, b.spacing);
+  if (is_plane(a) && is_plane(b)) return kCreaseReach * spacing;
+  return kCreaseReach * std::min(spacing, glm::distance(a.position, b.position));
 }
 
 /// Whether `a` and `b` are on one side of a crease, and `c` is on the other.
@@ -161,7 +171,7 @@ glm::dvec3 seam_position(const BorderVertex& a, const BorderVertex& b) {
   const glm::dvec3 middle = 0.5 * (a.position + b.position);
   if (meet_at_crease(a, b)) {
     const glm::dvec3 offset = to_crease(plane_of(a), plane_of(b), middle);
-    const double most = kCreaseReach * std::min(std::max(a.spacing, b.spacing), glm::length(d));
+    const double most = reach_between(a, b);
     return middle + offset * std::min(1.0, most / std::max(glm::length(offset), 1e-300));
   }
   return middle + 0.125 * (glm::dot(d, b.normal) * b.normal - glm::dot(d, a.normal) * a.normal);

@@ -116,6 +116,16 @@ TEST(CoarseScan, LeavesScansAlone) {
   EXPECT_EQ(bare.size(), 8U);
 }
 
+TEST(CoarseScan, ATinyTriangleBesideALargeOneIsNoScale) {
+  // Most points are in one place; once the unit was their distance, and squares overflowed.
+  Points mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1e-30, 0}, {1e-30, 0, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
+  const ConvertResult result = converted(mesh);
+  EXPECT_EQ(result.model.patches.size(), 1U);
+  EXPECT_LT(result.report.error_max, 1e-3);
+}
+
 TEST(CoarseScan, TrianglesWithoutAnAreaAreRefused) {
   Points mesh;
   for (int k = 0; k < 20; ++k) mesh.positions.emplace_back(k, 0, 0);

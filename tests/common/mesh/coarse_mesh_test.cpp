@@ -33,6 +33,19 @@ TEST(CoarseMesh, IsOfLargeTriangles) {
   EXPECT_FALSE(is_coarse_mesh(Points{}));
 }
 
+TEST(CoarseMesh, IsATownOfBoxes) {
+  // 1,000 boxes: 8,000 points, whose distance is half an edge.
+  Points town;
+  for (std::uint32_t k = 0; k < 1000; ++k) {
+    const Points box = test::cube();
+    for (const Triangle& t : box.triangles)
+      town.triangles.push_back({t[0] + 8 * k, t[1] + 8 * k, t[2] + 8 * k});
+    for (const glm::dvec3& p : box.positions)
+      town.positions.push_back(p + glm::dvec3(3.0 * (k % 32), 3.0 * (k / 32), 0.0));
+  }
+  EXPECT_TRUE(is_coarse_mesh(town));
+}
+
 TEST(CoarseMesh, DoesNotMindTrianglesThatAReaderWouldDrop) {
   Points mesh = grid(80);
   mesh.triangles.push_back({0, 1, 6400});
