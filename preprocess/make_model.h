@@ -11,6 +11,7 @@
 #include "common/progress.h"
 #include "preprocess/convert_options.h"
 #include "preprocess/measure.h"
+#include "preprocess/mesh_fit/mesh_sides.h"
 #include "preprocess/normals/crease_normals.h"
 #include "preprocess/resample/resample.h"
 #include "preprocess/texture/maps/flat_triangles.h"

@@ -37,16 +37,16 @@ NeighbourGraph find_neighbours_on_sides(const std::vector<glm::dvec3>& positions
   graph.k = kSurfaceNeighbours;
   graph.indices.resize(positions.size() * graph.k);
   graph.spacing.resize(positions.size());
-  for (const auto& [side, points] : points_of_sides(sides)) {
+  for (const auto& side : points_of_sides(sides)) {
+    const std::vector<std::uint32_t>& points = side.second;
     std::vector<glm::dvec3> of_side;
     of_side.reserve(points.size());
     for (const std::uint32_t i : points) of_side.push_back(positions[i]);
     const NeighbourGraph part = find_neighbours(of_side, kSurfaceNeighbours);
     assert(part.k == graph.k);
     for (std::size_t m = 0; m < points.size(); ++m) {
-      std::ranges::transform(part.of(m),
-                             graph.indices.begin() + std::ptrdiff_t{points[m]} * graph.k,
-                             [&points](std::uint32_t j) { return points[j]; });
+      std::uint32_t* const out = graph.indices.data() + std::size_t{points[m]} * graph.k;
+      for (std::uint32_t n = 0; n < graph.k; ++n) out[n] = points[part.of(m)[n]];
       graph.spacing[points[m]] = part.spacing[m];
     }
   }

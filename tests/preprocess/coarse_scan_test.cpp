@@ -123,7 +123,8 @@ TEST(CoarseScan, ATinyTriangleBesideALargeOneIsNoScale) {
   mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
   const ConvertResult result = converted(mesh);
   EXPECT_EQ(result.model.patches.size(), 1U);
-  EXPECT_LT(result.report.error_max, 1e-3);
+  // At its open border samples end up to a spacing early.
+  EXPECT_LT(result.report.error_max, 1.1 * result.model.spacing);
 }
 
 TEST(CoarseScan, TrianglesWithoutAnAreaAreRefused) {
