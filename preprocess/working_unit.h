@@ -16,8 +16,8 @@ namespace relief {
 /// and dividing by it is exact.
 [[nodiscard]] double working_unit(const std::vector<glm::dvec3>& positions);
 
-/// The same of what is converted: a coarse mesh (is_coarse_mesh) reaches as far as its triangles,
-/// wherever most of its points are.
+/// Returns the unit of a scan or a mesh. That of a coarse mesh (is_coarse_mesh) is half as wide as
+/// its triangles reach, because most of its points may lie in one place.
 [[nodiscard]] double working_unit_of(const Points& points);
 
 /// Returns the points of a scan that are at most two of its median distances from their middle.

@@ -23,10 +23,10 @@ constexpr double kFewestPoints = 5000.0;
 
 // A body of fewer points is small. Many of them, houses of a town, have short edges beside the
 // distance of all points, and no point but corners.
-constexpr std::size_t kSmallBody = 64;
+constexpr std::uint32_t kSmallBody = 64;
 // A closed surface has two triangles a point, less four for each body: with more than this, bodies
 // have more than 64 points on average, and need not be looked for.
-constexpr double kTrianglesPerPoint = 2.0 - 4.0 / 64.0;
+constexpr double kTrianglesPerPoint = 2.0 - 4.0 / double{kSmallBody};
 
 bool has_corners(const Points& mesh, const Triangle& t) {
   return std::ranges::all_of(t, [&](std::uint32_t corner) { return corner < mesh.size(); });
@@ -79,6 +79,7 @@ double area_of_triangles(const Points& mesh) {
 }
 
 bool is_coarse_mesh(const Points& mesh) {
+  if (mesh.triangles.empty()) return false;  // a large scan needs no table
   const double area = area_of_triangles(mesh);
   const double points = std::max(static_cast<double>(mesh.size()), kFewestPoints);
   const double limit = kLongEdge * std::sqrt(area / points);

@@ -15,8 +15,8 @@
 namespace relief {
 
 /// Goes through the points of a mesh's triangles, except their corners: those on edges, and within
-/// triangles those of rows parallel to the longest edge. Each is told by its triangle and its
-/// weights there. Hostile lengths are cut into no more than 4096 pieces.
+/// triangles those of rows parallel to the longest edge. Its corners and their weights say where
+/// each point is. Hostile lengths are cut into no more than 4096 pieces.
 class TrianglePoints {
  public:
   /// About `step` apart, world units. Edges up to `longest_left_alone` get none, nor do triangles
