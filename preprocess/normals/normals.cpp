@@ -60,19 +60,40 @@ glm::vec3 neighbourhood_mean(const NeighbourGraph& graph, const std::vector<glm:
   return count > 0.0F ? sum / count : sum;
 }
 
+// Whether a neighbour lies on the plane of a point's normal and has nearly the same: beside a sharp
+// edge most neighbours may be of the other face.
+bool has_a_face(const Points& points, const NeighbourGraph& graph,
+                const std::vector<glm::vec3>& normals, std::size_t i) {
+  constexpr float kAlike = 0.95F;
+  constexpr double kInPlane = 0.1;
+  return std::ranges::any_of(graph.of(i), [&](std::uint32_t j) {
+    const glm::dvec3 between = points.positions[j] - points.positions[i];
+    const double reach = kInPlane * glm::length(between);
+    return glm::dot(normals[i], normals[j]) > kAlike &&
+           std::abs(glm::dot(between, glm::dvec3(normals[i]))) < reach &&
+           std::abs(glm::dot(between, glm::dvec3(normals[j]))) < reach;
+  });
+}
+
 // Normals that oppose a consistent neighbourhood, or lie in its plane.
-std::vector<std::uint8_t> find_inconsistent(const NeighbourGraph& graph, const LocalFrames& frames,
-                                            const std::vector<glm::vec3>& normals,
+std::vector<std::uint8_t> find_inconsistent(const Points& points, const NeighbourGraph& graph,
+                                            const LocalFrames& frames,
                                             const std::vector<std::uint8_t>& missing) {
+  // Two flipped normals side by side look like a face, but one at an edge turns by less.
+  constexpr float kFlipped = -0.9F;
+  const std::vector<glm::vec3>& normals = points.normals;
   std::vector<std::uint8_t> inconsistent(normals.size(), 0);
   tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t i) {
     if (missing[i] != 0) return;
     const glm::vec3 mean = neighbourhood_mean(graph, normals, missing, i);
-    const bool of_one_mind = glm::length(mean) > 0.7F;
+    const float length = glm::length(mean);
+    const float along = glm::dot(normals[i], mean);
     const bool flat = frames.roughness[i] < 0.3F * graph.spacing[i];
-    const bool against = of_one_mind && glm::dot(normals[i], mean) < 0.0F;
+    const bool against = length > 0.7F && along < 0.0F;
     const bool in_plane = flat && std::abs(glm::dot(normals[i], frames.normals[i])) < 0.3F;
-    inconsistent[i] = against || in_plane ? 1 : 0;
+    const bool flipped = against && along < kFlipped * length;
+    const bool strange = (against || in_plane) && !has_a_face(points, graph, normals, i);
+    inconsistent[i] = flipped || strange ? 1 : 0;
   });
   return inconsistent;
 }
@@ -117,8 +138,7 @@ NormalsReport check_given(Points& points, const NeighbourGraph& graph, const Loc
       if (glm::dot(before[i], points.normals[i]) < 0.0F) repaired[i] = 1;
     }
   }
-  std::vector<std::uint8_t> inconsistent =
-      find_inconsistent(graph, frames, points.normals, missing);
+  std::vector<std::uint8_t> inconsistent = find_inconsistent(points, graph, frames, missing);
   for (std::size_t i = 0; i < points.size(); ++i) repaired[i] |= inconsistent[i];
   fill_missing(points, graph, frames, points.normals, inconsistent);
   report.repaired =

@@ -66,8 +66,10 @@ class Cell {
 };
 
 /// Neighbours of one surface have normals within 75 degrees; with 60, folds of scans lost 0.9 dB.
-/// Those beyond 120 are of the far side of something thin, the rest beyond an edge.
+/// Those beyond 120 are of the far side of something thin, the rest beyond an edge. Between 60 and
+/// 75 degrees they may be either: they count as of the surface, but do not end cells half-way.
 constexpr double kOwnCosine = 0.25;
+constexpr double kSurelyOwnCosine = 0.5;
 constexpr double kFarCosine = -0.5;
 /// A cell needs that many neighbours of its own surface; where it has fewer among its nearest,
 /// because another surface beside it is denser, they are looked for among kMoreNeighbours.
@@ -93,8 +95,8 @@ struct Surface {
   }
 };
 
-/// The cell of `point` among `own`, in the plane through them, which those of `beside` that are
-/// beyond an edge bound where they lie. Both: nearest first.
+/// The cell of `point` among `own`, in the plane through them. Those of `beside` that are beyond an
+/// edge, and those that may be, bound it where they lie. Both: nearest first.
 double cell_size(const Surface& surface, std::uint32_t point, Neighbours own, Neighbours beside) {
   const glm::dvec3 at = surface.positions[point];
   const auto distance = [&](std::size_t m) {
@@ -119,7 +121,8 @@ double cell_size(const Surface& surface, std::uint32_t point, Neighbours own, Ne
     return glm::dvec2(d.dot(solver.eigenvectors().col(1)), d.dot(solver.eigenvectors().col(2)));
   };
   Cell cell(2.0);
-  for (const std::uint32_t j : own) cell.cut(in_plane(j));
+  for (const std::uint32_t j : own)
+    cell.cut((surface.cosine(point, j) > kSurelyOwnCosine ? 1.0 : 2.0) * in_plane(j));
   for (const std::uint32_t j : beside) {
     const double cosine = surface.cosine(point, j);
     if (cosine <= kOwnCosine && cosine > kFarCosine) cell.cut(2.0 * in_plane(j));

@@ -22,10 +22,13 @@ std::vector<std::uint8_t> concave_edges(const DiscTree& tree, std::span<const Pa
   std::vector<std::uint8_t> concave(partners.size());
   for (std::size_t p = 0; p < partners.size(); ++p) {
     const Disc& disc = tree.discs()[partners[p].slot];
-    double height = 0.0;
-    for (const Partner& other : partners)
-      if (on_one_surface(disc, tree.discs()[other.slot])) height += other.above + other.splat_above;
-    concave[p] = height > 0.0 ? 1 : 0;
+    double sines = 0.0;
+    for (const Partner& other : partners) {
+      const double distance = glm::length(other.centre);
+      if (distance > 0.0 && on_one_surface(disc, tree.discs()[other.slot]))
+        sines += (other.above + other.splat_above) / distance;
+    }
+    concave[p] = sines > 0.0 ? 1 : 0;
   }
   return concave;
 }

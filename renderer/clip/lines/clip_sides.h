@@ -15,7 +15,8 @@ namespace relief {
 ///
 /// An edge is concave if the splat and its partner see each other's centres. Where they disagree,
 /// the greater height decides: one of the centres is almost on the other's plane. Partners of one
-/// surface decide together, because along a bent edge distant ones mislead.
+/// surface decide together, each with its heights over its distance, because along a bent edge and
+/// across a corner distant ones mislead.
 [[nodiscard]] std::vector<std::uint8_t> concave_edges(const DiscTree& tree,
                                                       std::span<const Partner> partners);
 

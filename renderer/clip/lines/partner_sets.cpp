@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace relief {
 namespace {
@@ -36,6 +37,28 @@ std::vector<PlaneLine> different_lines(std::span<const PlaneLine> lines, double 
   return different;
 }
 
+/// For each of some linked lines those that are not united with it, each set once. Of so many
+/// lines that it would take long, all.
+std::vector<LineGroup> groups_of_linked(std::span<const PlaneLine> lines, double tolerance) {
+  constexpr std::size_t kMostTold = 32;
+  if (lines.size() > kMostTold) return {LineGroup(lines.begin(), lines.end())};
+  std::vector<LineGroup> groups;
+  std::vector<std::uint32_t> known;  // sets of lines, a bit each
+  for (const PlaneLine& line : lines) {
+    LineGroup group;
+    std::uint32_t members = 0;
+    for (std::uint32_t k = 0; k < lines.size(); ++k) {
+      if (kind_of(line, lines[k], tolerance) == PairKind::Unite) continue;
+      group.push_back(lines[k]);
+      members |= 1U << k;
+    }
+    if (std::ranges::find(known, members) != known.end()) continue;
+    known.push_back(members);
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
 void keep_centre(LineGroup& group) {
   const auto farthest =
       std::max_element(group.begin(), group.end(),
@@ -66,9 +89,13 @@ PartnerSets group_lines(std::span<const PlaneLine> all, double tolerance) {
         return true;
       });
     }
-    LineGroup& group = sets.groups.emplace_back();
-    for (const std::uint32_t k : members) group.push_back(lines[k]);
-    keep_centre(group);
+    std::ranges::sort(members);  // nearest partner first
+    LineGroup linked;
+    for (const std::uint32_t k : members) linked.push_back(lines[k]);
+    for (LineGroup& group : groups_of_linked(linked, tolerance)) {
+      keep_centre(group);
+      sets.groups.push_back(std::move(group));
+    }
   }
   sets.kind = any_united && any_intersected ? ClipKind::Mixed
               : any_united                  ? ClipKind::Union

@@ -20,9 +20,10 @@ struct PartnerSets {
 /// Figure 5 intersects the areas of two partners if the splat with them is convex and they are
 /// concave, or the other way round: then each partner's edge lies in the area that the other one
 /// clips, and would be lost if the areas were united. That is tested here: the mean of both depths
-/// is above `tolerance`, world units. Partners that are linked by such pairs are a group. The paper
-/// asks once for all partners and their middle, Eq. (15) and (16), and has no answer for mixed sets
-/// (record 0127 compares).
+/// is above `tolerance`, world units. Among lines that such pairs link, each makes a group with
+/// those that it is not united with: beside a peg's foot a wall may be intersected with one tangent
+/// and united with another. The paper asks once for all partners and their middle, Eq. (15) and
+/// (16), and has no answer for mixed sets (record 0127 compares).
 ///
 /// Of lines that are one within the tolerance the nearest partner's stands for all: the union of
 /// lines that differ by noise would clip too much.

@@ -26,9 +26,15 @@ constexpr double kMostWallAngle = 15.0 * kDegree;
 /// Neighbours that the noise is measured on: the nearest ones.
 constexpr std::size_t kMeasured = 48;
 
+/// What a thread needs anew for each disc.
+struct Measured {
+  std::vector<std::uint32_t> neighbours;
+  std::vector<double> values;
+};
+
 /// The angle that a fifth of the neighbours' normals stay below; 0 without neighbours.
-double noise_at(const DiscTree& tree, std::size_t slot, std::vector<std::uint32_t>& neighbours,
-                std::vector<double>& cosines) {
+double noise_at(const DiscTree& tree, std::size_t slot, Measured& measured) {
+  auto& [neighbours, cosines] = measured;
   neighbours.clear();
   cosines.clear();
   tree.neighbours(slot, kMeasured, neighbours);
@@ -37,27 +43,46 @@ double noise_at(const DiscTree& tree, std::size_t slot, std::vector<std::uint32_
     cosines.push_back(glm::dot(tree.discs()[slot].normal, tree.discs()[other].normal));
   const auto fifth = cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() / 5);
   std::nth_element(cosines.begin(), fifth, cosines.end(), std::greater<>());
-  return std::acos(std::clamp(*fifth, -1.0, 1.0));
+  return std::min(std::acos(std::clamp(*fifth, -1.0, 1.0)), kMostNoise);
+}
+
+/// The angle that makes a surface another one for a disc. Next to a tip the disc's own noise is the
+/// turn of faces: that of most neighbours is less.
+double threshold_at(const DiscTree& tree, std::size_t slot, const std::vector<float>& noise,
+                    Measured& measured) {
+  double least = double{noise[slot]};
+  if (kOfNoise * least <= kLeastAngle) return kLeastAngle;
+  auto& [neighbours, values] = measured;
+  neighbours.clear();
+  values.clear();
+  tree.neighbours(slot, kMeasured, neighbours);
+  for (const std::uint32_t other : neighbours) values.push_back(double{noise[other]});
+  least = std::min(least, median_of(values));
+  return std::max(kOfNoise * least, kLeastAngle);
 }
 
 }  // namespace
 
 SurfaceTest::SurfaceTest(const DiscTree& tree, std::optional<double> threshold) {
   const std::size_t count = tree.discs().size();
+  const auto for_slots = [&](const auto& work) {
+    for_pieces(count, [&](std::size_t /*piece*/, std::size_t begin, std::size_t end) {
+      Measured measured;
+      for (std::size_t slot = begin; slot < end; ++slot) work(slot, measured);
+    });
+  };
   noise_.resize(count);
-  for_pieces(count, [&](std::size_t /*piece*/, std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> neighbours;
-    std::vector<double> cosines;
-    for (std::size_t slot = begin; slot < end; ++slot)
-      noise_[slot] =
-          static_cast<float>(std::min(noise_at(tree, slot, neighbours, cosines), kMostNoise));
+  for_slots([&](std::size_t slot, Measured& measured) {
+    noise_[slot] = static_cast<float>(noise_at(tree, slot, measured));
   });
   if (threshold) {
     limits_.push_back(limits_of(std::acos(std::clamp(*threshold, -1.0, 1.0))));
     return;
   }
-  for (const float noise : noise_)
-    limits_.push_back(limits_of(std::max(kOfNoise * double{noise}, kLeastAngle)));
+  limits_.resize(count);
+  for_slots([&](std::size_t slot, Measured& measured) {
+    limits_[slot] = limits_of(threshold_at(tree, slot, noise_, measured));
+  });
 }
 
 SurfaceTest::Limits SurfaceTest::limits_of(double angle) {

@@ -17,11 +17,12 @@ class SurfaceTest {
   /// One threshold for all discs, or without one thresholds from the noise of the normals.
   ///
   /// A disc's noise is the angle that a fifth of its neighbours' normals stay below. Even in a
-  /// corner of five faces that many are on its own face. Where noise is even in all directions
-  /// (angles follow a Rayleigh distribution), 1 in 60,000 exceeds seven times this angle. On a
-  /// cylinder the largest angle between neighbours is 6.4 times as large, so no bend is an edge,
-  /// however tight it is. The threshold is seven times the noise, at least 30 and at most 60
-  /// degrees: real edges are kept where half of the neighbours are beyond one.
+  /// corner of five faces about that many are on its own face. Where noise is even in all
+  /// directions (angles follow a Rayleigh distribution), 1 in 60,000 exceeds seven times this
+  /// angle. On a cylinder the largest angle between neighbours is 6.4 times as large, so no bend is
+  /// an edge, however tight it is. The threshold is seven times the noise, or the median noise of
+  /// its neighbours if that is less, at least 30 and at most 60 degrees: real edges are kept where
+  /// half of the neighbours are beyond one, and at the tip of a corner.
   SurfaceTest(const DiscTree& tree, std::optional<double> threshold);
 
   [[nodiscard]] bool differ(const DiscTree& tree, std::size_t slot, std::size_t other) const;

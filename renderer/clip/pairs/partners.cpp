@@ -10,15 +10,18 @@
 namespace relief {
 namespace {
 
-/// A centre nearer to a plane than this share of the mean radius may be on either side of it: the
-/// surface bends, and normals are estimates (record 0127).
-constexpr double kNearPlane = 0.05;
+/// A centre nearer to a plane than a share of the mean radius may be on either side of it: the
+/// surface bends by about three times the noise within a disc, and normals are estimates. On flat
+/// faces nearly none are (record 0127).
+constexpr double kNearPlane = 0.002;
+constexpr double kNearOfNoise = 3.0;
+constexpr double kMostNearPlane = 0.05;
 
 /// Whether two discs disagree about the edge between them: it is convex for one, concave for the
-/// other, and neither by a narrow margin.
-bool contradict(double above, double splat_above, double mean_radius) {
-  return above * splat_above < 0.0 &&
-         std::min(std::abs(above), std::abs(splat_above)) > kNearPlane * mean_radius;
+/// other, and neither by a narrow margin. `noise` is that of the normals.
+bool contradict(double above, double splat_above, double mean_radius, double noise) {
+  const double near = std::min(kNearPlane + kNearOfNoise * noise, kMostNearPlane) * mean_radius;
+  return above * splat_above < 0.0 && std::min(std::abs(above), std::abs(splat_above)) > near;
 }
 
 /// What a thread needs anew for each disc.
@@ -84,7 +87,9 @@ std::optional<Partner> as_partner(const SplatDiscs& discs, const DiscTree& tree,
   const glm::dvec3 between = partner.centre - splat.centre;
   const double above = glm::dot(between, splat.normal);
   const double splat_above = -glm::dot(between, partner.normal);
-  if (contradict(above, splat_above, 0.5 * (splat.radius + partner.radius))) return std::nullopt;
+  const double mean_radius = 0.5 * (splat.radius + partner.radius);
+  const double noise = std::max(test.noise(slot), test.noise(other));
+  if (contradict(above, splat_above, mean_radius, noise)) return std::nullopt;
   // Both splats of a pair compute the same numbers, so that rounding makes no one-sided partner.
   const bool is_first = splat.splat < partner.splat;
   CrossingLine line = is_first ? crossing_line(splat, partner) : crossing_line(partner, splat);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
+#include <vector>
 
 #include "tests/preprocess/surfaces.h"
 
@@ -92,6 +94,32 @@ TEST(Normals, GivenOnesAreRepairedAndCounted) {
   EXPECT_FALSE(done.report.estimated);
   EXPECT_EQ(done.report.repaired, 4U);
   EXPECT_GT(worst_cosine(done.points, test::Sphere{}), kSixDegrees);
+}
+
+// Beside an edge most neighbours of a point may be of the other face, and their plane its own.
+TEST(Normals, GivenOnesOfSharpEdgesAreKept) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  Points points;
+  // A bar: two faces with an edge of 60 degrees, and the two that close it.
+  const glm::dvec3 slope(0.5, 0.0, 0.8660254);
+  for (int k = 0; k < 6000; ++k) {
+    const double along = unit(random);
+    const double away = unit(random);
+    points.positions.emplace_back(away, along, 0.0);
+    points.normals.emplace_back(0.0F, 0.0F, -1.0F);
+    points.positions.push_back(away * slope + glm::dvec3(0.0, along, 0.0));
+    points.normals.emplace_back(-0.8660254F, 0.0F, 0.5F);
+    if (k % 3 != 0) continue;  // ends are less dense
+    const double half = away * unit(random);
+    points.positions.push_back((away - half) * slope + glm::dvec3(half, k % 2, 0.0));
+    points.normals.emplace_back(0.0F, k % 2 == 0 ? -1.0F : 1.0F, 0.0F);
+  }
+  const std::vector<glm::vec3> given = points.normals;
+  const Completed done = complete(std::move(points));
+  EXPECT_EQ(done.report.repaired, 0U);
+  for (std::size_t i = 0; i < given.size(); ++i)
+    EXPECT_GT(glm::dot(given[i], done.points.normals[i]), 0.99999F) << i;
 }
 
 TEST(Normals, GivenOnesOfRandomSignAreOriented) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -131,6 +132,79 @@ TEST(ClipPartners, ACornerIsClippedByBothSides) {
   EXPECT_EQ(clipped(discs, ClipRule::Nearest).of(0).size(), 1U);
   EXPECT_TRUE(is_clipped(all.of(0), {0.4F, 0, 0}));
   EXPECT_TRUE(is_clipped(all.of(0), {0, 0.4F, 0}));
+}
+
+// A wall that bends away: beyond the bend its splat sees caps of the same rim.
+TEST(ClipPartners, DistantPartnersDoNotTurnABentEdge) {
+  SplatDiscs discs;
+  const glm::dvec3 wall = glm::normalize(glm::dvec3(0.48, 0.87, 0.0));
+  add_disc(discs, {-0.203, -0.367, 1.9996}, wall, 0.149);
+  add_disc(discs, {-0.192, -0.379, 2.0}, {0, 0, 1}, 0.07);
+  add_disc(discs, {-0.189, -0.418, 2.0}, {0, 0, 1}, 0.048);
+  add_disc(discs, {-0.116, -0.422, 2.0}, {0, 0, 1}, 0.044);
+  add_disc(discs, {-0.066, -0.436, 2.0}, {0, 0, 1}, 0.046);
+  add_disc(discs, {0.016, -0.431, 2.0}, {0, 0, 1}, 0.148);
+  const ClipPartners result = clipped(discs);
+  EXPECT_TRUE(is_clipped(result.of(0), {0, 0, 0.1F}));
+  EXPECT_FALSE(is_clipped(result.of(0), {0, 0, -0.1F}));
+}
+
+/// Rows of splats on the faces of a pyramid with its tip at the origin, `slope` radians from level.
+SplatDiscs tip(int faces, double slope) {
+  constexpr double kSpacing = 0.1;
+  const double half = std::numbers::pi / faces;
+  SplatDiscs discs;
+  for (int face = 0; face < faces; ++face) {
+    const double a = 2.0 * half * face;
+    const glm::dvec3 across(-std::sin(a), std::cos(a), 0.0);
+    const glm::dvec3 down(std::cos(a) * std::cos(slope), std::sin(a) * std::cos(slope),
+                          -std::sin(slope));
+    for (double d = 0.6 * kSpacing; d < 1.0; d += kSpacing) {
+      // In even rows, half a spacing from the edges.
+      const double width = d * std::cos(slope) * std::tan(half);
+      const int count = std::max(1, static_cast<int>(std::lround(2.0 * width / kSpacing)));
+      for (int k = 0; k < count; ++k)
+        add_disc(discs, d * down + ((2.0 * k + 1.0) / count - 1.0) * width * across,
+                 glm::cross(across, down) * -1.0, 1.2 * kSpacing);
+    }
+  }
+  return discs;
+}
+
+/// A point of a disc's rim, relative to its centre.
+glm::dvec3 on_rim(const SplatDiscs& discs, std::size_t s, double angle) {
+  const glm::dvec3 x = glm::normalize(glm::cross(discs.normals[s], glm::dvec3(0.3, 0.5, 0.8)));
+  const glm::dvec3 y = glm::cross(discs.normals[s], x);
+  return discs.radii[s] * (std::cos(angle) * x + std::sin(angle) * y);
+}
+
+// Near the tip a disc's neighbours are mostly of other faces, which is no noise.
+TEST(ClipPartners, ATipOfFiveFacesIsClipped) {
+  const SplatDiscs discs = tip(5, 1.0);
+  const ClipPartners result = clipped(discs);
+  for (std::size_t s = 0; s < discs.centres.size(); ++s) {
+    if (glm::length(discs.centres[s]) > 0.2) continue;
+    for (int k = 0; k < 360; k += 5) {
+      const glm::dvec3 offset = on_rim(discs, s, k * std::numbers::pi / 180.0);
+      double above = 0.0;  // the planes of all faces go through the tip
+      for (const glm::dvec3& normal : discs.normals)
+        above = std::max(above, glm::dot(discs.centres[s] + offset, normal));
+      EXPECT_TRUE(above < 0.02 || is_clipped(result.of(s), glm::vec3(offset))) << s << ", " << k;
+    }
+  }
+}
+
+// Beyond a corner a cap lies before the wall, whose splat lies below the cap, but not by much.
+TEST(ClipPartners, DiscsThatContradictEachOtherAreNoPartners) {
+  SplatDiscs discs;
+  add_disc(discs, {0, 0, -0.02}, {1, 0, 0});
+  add_disc(discs, {0.5, 0, 0}, {0, 0, 1});
+  // Flat faces, so that there is no noise that would excuse it.
+  for (const double y : {-0.9, -0.6, 0.6, 0.9}) {
+    add_disc(discs, {0, y, -0.5}, {1, 0, 0}, 0.3);
+    add_disc(discs, {0.9, y, 0}, {0, 0, 1}, 0.3);
+  }
+  EXPECT_TRUE(clipped(discs).of(0).empty());
 }
 
 TEST(ClipPartners, WickesRuleTakesTheTwoNearest) {

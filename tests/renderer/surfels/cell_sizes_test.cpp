@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <vector>
 
 #include "renderer/surfels/surfels.h"
@@ -15,10 +16,13 @@ struct OrientedPoints {
   std::vector<glm::vec3> normals;
 };
 
-/// Two faces of a box that meet at x = 0: a floor with points at half coordinates, and a wall that
-/// is `finer` times as dense along both axes. Points of the floor come first, by x.
-OrientedPoints edge_of(int finer) {
+/// Two faces that meet at x = 0: a floor with points at half coordinates, and a wall, turned by so
+/// many degrees, that is `finer` times as dense along both axes. Points of the floor come first, by
+/// x.
+OrientedPoints edge_of(int finer, double degrees = 90.0) {
   OrientedPoints points;
+  const double turn = degrees * std::numbers::pi / 180.0;
+  const glm::dvec3 down(-std::cos(turn), 0.0, -std::sin(turn));
   constexpr int kHalf = 8;
   for (int x = 0; x < kHalf; ++x) {
     for (int y = -kHalf; y < kHalf; ++y) {
@@ -28,8 +32,9 @@ OrientedPoints edge_of(int finer) {
   }
   for (int z = 0; z < kHalf * finer; ++z) {
     for (int y = -kHalf * finer; y < kHalf * finer; ++y) {
-      points.positions.emplace_back(0.0, (y + 0.5) / finer, -(z + 0.5) / finer);
-      points.normals.emplace_back(-1.0F, 0.0F, 0.0F);
+      points.positions.push_back((z + 0.5) / finer * down +
+                                 glm::dvec3(0.0, (y + 0.5) / finer, 0.0));
+      points.normals.emplace_back(-std::sin(turn), 0.0, std::cos(turn));
     }
   }
   return points;
@@ -52,10 +57,12 @@ double size_at_edge(const OrientedPoints& points, bool clipped) {
 TEST(CellSizes, ReachTheEdgeThatClipsThem) {
   // A square of one by one, which the edge bounds on one side.
   const double covering = std::sqrt(2.0);
-  for (const int finer : {1, 2, 3}) {
-    const double size = size_at_edge(edge_of(finer), true);
-    EXPECT_GE(size, covering - 1e-9) << finer;
-    EXPECT_LE(size, 4.0) << "twice the distance of the eighth on the floor";
+  for (const double degrees : {90.0, 70.0, 65.0}) {
+    for (const int finer : {1, 2, 3}) {
+      const double size = size_at_edge(edge_of(finer, degrees), true);
+      EXPECT_GE(size, covering - 1e-9) << finer << ", " << degrees;
+      EXPECT_LE(size, 4.0) << "twice the distance of the eighth on the floor";
+    }
   }
 }
 
