@@ -57,16 +57,23 @@ inline constexpr double kPixelVariance = 1.0 / 12.0;
 /// The line `beyond` (of any scale above 0) for what pixels see of a splat.
 [[nodiscard]] ImageLine image_line(glm::dvec3 beyond, const SeenSplat& seen, bool ends_group);
 
+/// What a pixel sees of a splat before its lines.
+struct KeptShare {
+  double share = 1.0;
+  glm::dvec2 beyond{0.0};  ///< across the line that cuts off the rest, away from what is kept
+};
+
 /// The share of what a pixel sees of a splat that no group of lines clips. A group clips what lies
 /// beyond all of its lines.
-[[nodiscard]] inline double kept_share(std::span<const ImageLine> lines, glm::dvec2 offset) {
-  double kept = 1.0;
-  double of_group = 0.0;
+[[nodiscard]] inline KeptShare kept_share(std::span<const ImageLine> lines, glm::dvec2 offset) {
+  KeptShare kept;
+  KeptShare of_group{0.0, {}};
   for (const ImageLine& line : lines) {
-    of_group = std::max(of_group, line.kept(offset));
+    const double share = line.kept(offset);
+    if (share > of_group.share) of_group = {share, glm::dvec2(line.beyond)};
     if (!line.ends_group) continue;
-    kept = std::min(kept, of_group);
-    of_group = 0.0;
+    if (of_group.share < kept.share) kept = of_group;
+    of_group = {0.0, {}};
   }
   return kept;
 }

@@ -1,9 +1,11 @@
 #include "renderer/engines/ewa/layered_buffer.h"
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace relief::ewa {
@@ -12,6 +14,23 @@ namespace {
 /// Neighbouring pixels whose normals differ by more than 30 degrees show different surfaces, or a
 /// crease, over which there is nothing to interpolate.
 constexpr double kLargestChange = 0.52;
+
+/// The colour of shaded fragments, front first: of each those that meet it beside or behind it.
+glm::dvec4 blend(std::span<const Fragment> fragments) {
+  glm::dvec4 all(0.0);
+  for (std::size_t i = 0; i < fragments.size();) {
+    const Fragment& first = fragments[i];
+    glm::dvec4 seen(0.0);
+    glm::dvec4 behind(0.0);
+    do {
+      const Fragment& fragment = fragments[i++];
+      glm::dvec4& side = fragment.faces_away == first.faces_away ? seen : behind;
+      side = blend_beside(side, fragment.colour);
+    } while (i < fragments.size() && fragments[i].meets(first));
+    all = blend_over(all, blend_behind(seen, behind));
+  }
+  return all;
+}
 
 glm::dvec3 unit_or_zero(glm::dvec3 v) {
   const double length = glm::length(v);
@@ -22,6 +41,15 @@ glm::dvec3 unit_or_zero(glm::dvec3 v) {
 
 glm::dvec4 blend_over(glm::dvec4 front, glm::dvec4 back) {
   return front + (1.0 - front.a) * back;
+}
+
+glm::dvec4 blend_beside(glm::dvec4 one, glm::dvec4 other) {
+  const double room = 1.0 - one.a;
+  return one + (other.a > room ? room / other.a : 1.0) * other;
+}
+
+glm::dvec4 blend_behind(glm::dvec4 front, glm::dvec4 back) {
+  return back.a > front.a ? front + (1.0 - front.a / back.a) * back : front;
 }
 
 LayeredBuffer::LayeredBuffer(std::size_t width, std::size_t rows, int layers,
@@ -104,7 +132,7 @@ void LayeredBuffer::merge_closest(std::size_t pixel) {
   const bool front_is_seen = fragments[front].coverage(coverage_threshold_) >= 0.5 ||
                              fragments[front].weight >= fragments[back].weight;
   Fragment merged = fragments[front_is_seen ? front : back];
-  merged.colour = blend_over(fragments[front].colour, fragments[back].colour);
+  merged.colour = blend(std::array{fragments[front], fragments[back]});
   fragments[closest.first] = merged;
   fragments[closest.second] = fragments[count - 1];
   --count;
@@ -153,9 +181,9 @@ ResolvedPixel LayeredBuffer::resolve(std::size_t pixel) {
   double covered = 0.0;
   for (std::size_t i = count; i-- > 0;) {
     shade_once(pixel, fragments[i]);
-    resolved.colour = blend_over(fragments[i].colour, resolved.colour);
     covered += fragments[i].coverage(coverage_threshold_);
   }
+  resolved.colour = blend({fragments, count});
   const double half = 0.5 * std::min(covered, 1.0);
   double reached = 0.0;
   for (std::size_t i = 0; i < count; ++i) {

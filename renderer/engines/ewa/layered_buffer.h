@@ -40,6 +40,10 @@ struct ResolvedPixel {
 
 /// Eq. (12): the front fragment over the back one. Colours premultiplied.
 [[nodiscard]] glm::dvec4 blend_over(glm::dvec4 front, glm::dvec4 back);
+/// Two fragments that cover parts of the pixel beside each other, as faces that meet in an edge.
+[[nodiscard]] glm::dvec4 blend_beside(glm::dvec4 one, glm::dvec4 other);
+/// A fragment behind one that ends with it, as faces that meet in a contour.
+[[nodiscard]] glm::dvec4 blend_behind(glm::dvec4 front, glm::dvec4 back);
 
 class LayeredBuffer {
  public:

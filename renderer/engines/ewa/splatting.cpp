@@ -134,8 +134,8 @@ struct SplatShare {
   const View& view;
   std::optional<WickeSplat> wicke;
 
-  [[nodiscard]] double kept(glm::dvec2 pixel, glm::dvec2 offset) const {
-    if (lines.empty()) return 1.0;
+  [[nodiscard]] KeptShare kept(glm::dvec2 pixel, glm::dvec2 offset) const {
+    if (lines.empty()) return {};
     return wicke ? wicke_share(*wicke, lines, view, pixel, offset) : kept_share(lines, offset);
   }
 };
@@ -161,11 +161,13 @@ std::uint64_t draw_splat(const ProjectedSplat<Kernel>& splat, const SplatShare& 
       const glm::dvec2 middle(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
       const double exponent = kernel.exponent(middle);
       if (!(exponent < cutoff)) continue;
-      const double kept = share.kept(middle, middle - kernel.centre);
-      if (!(kept > 0.0)) continue;
-      const Contribution contribution{kept * kernel.peak * std::exp(-exponent),
-                                      splat.depth.at(middle - kernel.centre),
-                                      splat.depth.threshold};
+      const glm::dvec2 offset = middle - kernel.centre;
+      const KeptShare kept = share.kept(middle, offset);
+      if (!(kept.share > 0.0)) continue;
+      const double whole = kernel.peak * std::exp(-exponent);
+      const Contribution contribution{kept.share * whole, splat.depth.at(offset),
+                                      splat.depth.threshold, (1.0 - kept.share) * whole,
+                                      kept.beyond};
       const auto pixel = static_cast<std::size_t>((y - tile.top) * kTile + (x - tile.left));
       buffer.add(pixel, contribution, attributes);
       ++reached;

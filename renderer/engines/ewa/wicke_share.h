@@ -21,7 +21,7 @@ struct WickeSplat {
 /// The share of what a pixel sees of a splat that is not clipped by the two partners nearest to
 /// where the pixel's ray meets its plane. `lines`: of the partners; `offset`: of the pixel's middle
 /// from the kernel's centre; `pixel`: that middle, from the upper left corner.
-[[nodiscard]] double wicke_share(const WickeSplat& splat, std::span<const ImageLine> lines,
-                                 const View& view, glm::dvec2 pixel, glm::dvec2 offset);
+[[nodiscard]] KeptShare wicke_share(const WickeSplat& splat, std::span<const ImageLine> lines,
+                                    const View& view, glm::dvec2 pixel, glm::dvec2 offset);
 
 }  // namespace relief::ewa

@@ -92,11 +92,11 @@ TEST(ImageLines, GroupsClipWhatIsBeyondAllOfTheirLines) {
   const std::vector<ImageLine> both{right, below};
   std::vector<ImageLine> intersected = both;
   intersected[0].ends_group = false;
-  EXPECT_EQ(kept_share(both, {-1.0, -1.0}), 1.0);
-  EXPECT_EQ(kept_share(both, {1.0, -1.0}), 0.0);
-  EXPECT_EQ(kept_share(both, {1.0, 1.0}), 0.0);
-  EXPECT_EQ(kept_share(intersected, {1.0, -1.0}), 1.0);
-  EXPECT_EQ(kept_share(intersected, {1.0, 1.0}), 0.0);
+  EXPECT_EQ(kept_share(both, {-1.0, -1.0}).share, 1.0);
+  EXPECT_EQ(kept_share(both, {1.0, -1.0}).share, 0.0);
+  EXPECT_EQ(kept_share(both, {1.0, 1.0}).share, 0.0);
+  EXPECT_EQ(kept_share(intersected, {1.0, -1.0}).share, 1.0);
+  EXPECT_EQ(kept_share(intersected, {1.0, 1.0}).share, 0.0);
 }
 
 RenderSettings cube_image(bool clipped) {
@@ -123,6 +123,7 @@ TEST(EwaClip, ACubeHasTheSilhouetteOfACube) {
     EXPECT_EQ(errors(true).overhang, 0U) << side;
     // Kernels end at the exponent 1: half-way between two of them at an edge little is left.
     EXPECT_LE(errors(true).holes, 5U) << side;
+    EXPECT_LE(errors(true).moved, 5U) << side;
   }
 }
 

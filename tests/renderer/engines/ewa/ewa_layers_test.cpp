@@ -39,6 +39,26 @@ void expect_colour(glm::dvec4 colour, glm::dvec4 expected) {
   EXPECT_EQ(colour, expected) << colour.r << ' ' << colour.g << ' ' << colour.b << ' ' << colour.a;
 }
 
+// What clip lines keep of a pixel is a part of it, not a thinner surface.
+TEST(Fragments, CoverWhatTheirLinesKeep) {
+  Fragment contour;
+  contour.add({0.3, 2.0, 0.1, 0.9, {1.0, 0.0}}, {});
+  contour.add({0.2, 2.0, 0.1, 0.6, {2.0, 0.1}}, {});
+  EXPECT_NEAR(contour.coverage(kTau), 0.25, 1e-12);
+  EXPECT_FALSE(contour.hides(kTau));
+  // The other face of an edge keeps the rest.
+  contour.add({0.9, 2.0, 0.1, 0.3, {-1.0, 0.0}}, {});
+  EXPECT_NEAR(contour.coverage(kTau), 1.0, 1e-12);
+}
+
+TEST(Fragments, OfAnEdgeLieBesideAndOfAContourBehind) {
+  const glm::dvec4 red{0.25, 0.0, 0.0, 0.25};
+  expect_colour(blend_beside(red, {0.0, 0.5, 0.0, 0.5}), {0.25, 0.5, 0.0, 0.75});
+  expect_colour(blend_beside(red, {0.0, 1.0, 0.0, 1.0}), {0.25, 0.75, 0.0, 1.0});
+  expect_colour(blend_behind(red, {0.0, 0.25, 0.0, 0.25}), red);
+  expect_colour(blend_behind(red, {0.0, 0.5, 0.0, 0.5}), {0.25, 0.25, 0.0, 0.5});
+}
+
 TEST(LayeredBuffer, BlendsTwoFragmentsByEquation12) {
   // co = cf af + cb ab (1 - af), ao = af + ab (1 - af).
   expect_colour(blend_over({0.5, 0.0, 0.0, 0.5}, {0.0, 0.5, 0.0, 0.5}), {0.5, 0.25, 0.0, 0.75});
