@@ -31,6 +31,9 @@
 namespace relief::cli {
 namespace {
 
+/// Frames in which passes are timed, if the user names no number.
+constexpr int kPassFrames = 5;
+
 std::string render_footer() {
   return "SCENE is a .relief file, a scan or mesh, or a .json scene (docs/scene.md) of models in "
          "their\n"
@@ -71,6 +74,7 @@ void set_outputs(const RenderArguments& arguments, ScenePlan& plan) {
 void apply(const RenderArguments& arguments, RenderSettings& settings) {
   settings.platform = arguments.platform;
   settings.explain = arguments.explain;
+  if (arguments.time_passes) settings.pass_frames = arguments.frames.value_or(kPassFrames);
   if (arguments.explain_cost) settings.cost_turns = arguments.frames.value_or(kCostTurns);
   settings.frames = arguments.frames.value_or(0);
   settings.count_fragments = arguments.frames.has_value();

@@ -29,7 +29,7 @@ void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSett
   const SceneSettings& planned = view.settings;
   if (!planned.background) settings.background = glm::vec3(linear_from_srgb(kBackground));
   const auto engine = engine_of(view);
-  const bool is_timed = settings.frames > 0 || settings.explain;
+  const bool is_timed = settings.frames > 0 || settings.explain || settings.pass_frames > 0;
   // Kernels are filtered: only surfaces among them have samples.
   const bool has_samples =
       !scene.has_kernels() || (scene.volumes && !scene.patches.patches.empty());

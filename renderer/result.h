@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/image/image.h"
 #include "renderer/frame/explanation.h"
+#include "renderer/frame/pass_time.h"
 
 namespace relief {
 
@@ -25,6 +27,7 @@ struct RenderResult {
   /// EwaSettings::time_budget_ms.
   std::optional<std::uint32_t> level;
   std::optional<Explanation> explanation;  ///< if settings asked for it, of the frame
+  std::vector<PassTime> passes;            ///< if settings asked for them: medians of frames
 };
 
 }  // namespace relief

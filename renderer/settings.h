@@ -71,6 +71,8 @@ struct RenderSettings {
   bool debug = false;            ///< OpenGL debug context; a high-severity message is an error
   bool explain = false;  ///< RenderResult::explanation, of the engines on OpenGL; fragments of
                          ///< such an image are not counted
+  /// RenderResult::passes, of the engines that explain: frames in which passes are timed.
+  int pass_frames = 0;
   /// Explanation::costs, with `explain` and of the engines that draw patches with OpenGL: how often
   /// the image is drawn with and without each feature. 0: not at all.
   int cost_turns = 0;

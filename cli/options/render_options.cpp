@@ -119,6 +119,8 @@ void check_for_engine(const RenderArguments& arguments) {
   check_engine_options(arguments.settings);
   if (arguments.explain && !engine.capabilities.explanation)
     throw CLI::ValidationError("--explain", fmt::format("engine {} has none", engine.name));
+  if (arguments.time_passes && !engine.capabilities.explanation)
+    throw CLI::ValidationError("--time-passes", fmt::format("engine {} has none", engine.name));
   if (arguments.explain_cost && !can_measure_costs(engine)) {
     throw CLI::ValidationError(
         "--explain-cost",
@@ -281,6 +283,9 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
       "--explain", arguments.explain,
       "Engines with OpenGL: report features, shader variants, buffers, textures, passes and "
       "draws of the image, and what was read of patch files");
+  sub.add_flag("--time-passes", arguments.time_passes,
+               "Engines with OpenGL: draw the image again, 5 times or --frames times, and report "
+               "the median time of each pass");
   sub.add_flag_function(
       "--explain-cost",
       [&](std::int64_t /*count*/) { arguments.explain = arguments.explain_cost = true; },

@@ -29,6 +29,7 @@ struct RenderArguments {
   std::optional<int> frames;                ///< to be timed; by default the image is drawn once
   bool explain = false;
   bool explain_cost = false;  ///< implies `explain`
+  bool time_passes = false;
   bool json = false;
 };
 

@@ -56,6 +56,20 @@ std::string colours_as_text(const ColourScale& scale) {
                      scale.high, map_name(scale.map));
 }
 
+nlohmann::ordered_json passes_as_json(const std::vector<PassTime>& passes) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const PassTime& pass : passes) json.push_back({{"pass", pass.name}, {"ms", pass.ms}});
+  return json;
+}
+
+std::string passes_as_text(const std::vector<PassTime>& passes) {
+  if (passes.empty()) return {};
+  std::vector<std::string> texts;
+  for (const PassTime& pass : passes)
+    texts.push_back(fmt::format("{} {:.2f} ms", pass.name, pass.ms));
+  return fmt::format("  passes          {}\n", fmt::join(texts, ", "));
+}
+
 }  // namespace
 
 nlohmann::ordered_json as_json(const WrittenImage& written) {
@@ -77,6 +91,7 @@ nlohmann::ordered_json as_json(const WrittenImage& written) {
        {"fragments", value_or_null(result.fragments)},
        {"level", value_or_null(result.level)}});
   if (written.colours) json["colour_by"] = colours_as_json(*written.colours);
+  if (settings.pass_frames > 0) json["passes"] = passes_as_json(result.passes);
   if (settings.explain)
     json["explain"] =
         result.explanation ? as_json(*result.explanation, written.read) : nlohmann::ordered_json();
@@ -122,10 +137,11 @@ std::string as_text(const WrittenImage& written) {
       "  size            {}x{}\n"
       "  frame           {:.2f} ms\n"
       "  covered pixels  {}\n"
-      "  fragments       {}\n",
+      "  fragments       {}\n"
+      "{}",
       written.file.string(), settings.engine, fmt::join(options_as_text(settings), ", "),
       material_names(settings), colours, result.renderer, result.image.width, result.image.height,
-      result.frame_ms, result.covered_pixels, fragments);
+      result.frame_ms, result.covered_pixels, fragments, passes_as_text(result.passes));
   return result.explanation ? text + as_text(*result.explanation, written.read) : text;
 }
 

@@ -65,6 +65,13 @@ void add_cost(const RenderResult& drawn, RenderResult& all) {
   all.gpu_ms = sum_of(all.gpu_ms, drawn.gpu_ms);
   all.fragments = sum_of(all.fragments, drawn.fragments);
   if (all.explanation && drawn.explanation) append(*all.explanation, *drawn.explanation);
+  for (const PassTime& pass : drawn.passes) {
+    const auto same = std::ranges::find(all.passes, pass.name, &PassTime::name);
+    if (same == all.passes.end())
+      all.passes.push_back(pass);
+    else
+      same->ms += pass.ms;
+  }
 }
 
 void add_part(RenderResult drawn, const Raster& part, const RenderSettings& settings,
@@ -111,6 +118,13 @@ Result<RenderResult> GlPreparedModel::measure(const GlFrame& frame, const GlDraw
   result.gpu_ms = first.gpu_ms;
   RELIEF_TRY(time_frames(gl, frame, drawing, settings.frames, progress, result));
   if (gl.recorder != nullptr) result.explanation = gl.recorder->explain();
+  if (settings.pass_frames > 0) {
+    RELIEF_TRY_ASSIGN(result.passes, time_passes(gl, settings.pass_frames, progress,
+                                                 [&](PassTimer& timer) -> Status {
+                                                   draw_frame(gl, frame, drawing, timer);
+                                                   return {};
+                                                 }));
+  }
   RELIEF_TRY(check_errors(gl, "the image"));
   RELIEF_TRY(model_->status());
   return result;

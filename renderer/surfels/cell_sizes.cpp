@@ -67,7 +67,8 @@ class Cell {
 
 /// Neighbours of one surface have normals within 75 degrees; with 60, folds of scans lost 0.9 dB.
 /// Those beyond 120 are of the far side of something thin, the rest beyond an edge. Between 60 and
-/// 75 degrees they may be either: they count as of the surface, but do not end cells half-way.
+/// 75 degrees they may be either: cells have none of them in their plane, unless there is no other,
+/// and do not end half-way to them.
 constexpr double kOwnCosine = 0.25;
 constexpr double kSurelyOwnCosine = 0.5;
 constexpr double kFarCosine = -0.5;
@@ -107,11 +108,18 @@ double cell_size(const Surface& surface, std::uint32_t point, Neighbours own, Ne
     const glm::dvec3 d = (surface.positions[j] - at) / last;
     return Eigen::Vector3d(d.x, d.y, d.z);
   };
+  const auto is_surely_own = [&](std::uint32_t j) {
+    return surface.cosine(point, j) > kSurelyOwnCosine;
+  };
+  const auto sure = static_cast<std::size_t>(std::ranges::count_if(own, is_surely_own));
+  const bool takes_all = sure < kFewestOfPlane;
+  const double count = static_cast<double>((takes_all ? own.size() : sure) + 1);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const std::uint32_t j : own) mean += offset(j);
-  mean /= static_cast<double>(own.size() + 1);
+  for (const std::uint32_t j : own)
+    if (takes_all || is_surely_own(j)) mean += offset(j) / count;
   Eigen::Matrix3d scatter = mean * mean.transpose();  // of the point itself
   for (const std::uint32_t j : own) {
+    if (!takes_all && !is_surely_own(j)) continue;
     const Eigen::Vector3d d = offset(j) - mean;
     scatter.noalias() += d * d.transpose();
   }
@@ -121,8 +129,7 @@ double cell_size(const Surface& surface, std::uint32_t point, Neighbours own, Ne
     return glm::dvec2(d.dot(solver.eigenvectors().col(1)), d.dot(solver.eigenvectors().col(2)));
   };
   Cell cell(2.0);
-  for (const std::uint32_t j : own)
-    cell.cut((surface.cosine(point, j) > kSurelyOwnCosine ? 1.0 : 2.0) * in_plane(j));
+  for (const std::uint32_t j : own) cell.cut((is_surely_own(j) ? 1.0 : 2.0) * in_plane(j));
   for (const std::uint32_t j : beside) {
     const double cosine = surface.cosine(point, j);
     if (cosine <= kOwnCosine && cosine > kFarCosine) cell.cut(2.0 * in_plane(j));

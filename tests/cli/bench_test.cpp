@@ -318,6 +318,32 @@ TEST_F(BenchCommand, RenderExplainsItself) {
       2);
 }
 
+TEST_F(BenchCommand, RenderTimesPasses) {
+  const std::string scene = write("square.off", square_off(10));
+  const std::vector<std::string> arguments{"render",      scene,    "-o",
+                                           path("a.png"), "--size", "640x480"};
+  const auto passes = [&](const std::string& engine) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--engine", engine, "--time-passes", "--frames", "2", "--json"});
+    const json result = parse(run_relief(all));
+    std::vector<std::string> names;
+    for (const json& pass : result["passes"]) {
+      EXPECT_GT(pass["ms"], 0.0);
+      names.push_back(pass["pass"]);
+    }
+    return names;
+  };
+  EXPECT_EQ(passes("onepass"), (std::vector<std::string>{"visibility", "shading"}));
+  EXPECT_EQ(passes("surfel"), (std::vector<std::string>{"visibility", "accumulation", "shading"}));
+  const Outcome text = run_relief({"render", scene, "-o", path("a.png"), "--time-passes"});
+  EXPECT_NE(text.out.find("  passes          visibility "), std::string::npos) << text.out;
+  EXPECT_FALSE(
+      parse(run_relief({"render", scene, "-o", path("a.png"), "--json"})).contains("passes"));
+  EXPECT_EQ(run_relief({"render", scene, "-o", path("x.png"), "--engine", "ewa", "--time-passes"})
+                .exit_code,
+            2);
+}
+
 TEST_F(BenchCommand, ComparesTheEnginesOfVolumes) {
   const std::string volume = write("a.nrrd", small_nrrd());
   const json alone = parse(run_relief(small(volume, {"--transfer", "mr"})));

@@ -67,6 +67,12 @@ class Prepared final : public PreparedModel {
     result.frame_ms = median_of(std::move(frame_ms)) + surfaces.frame_ms;
     if (!gpu_ms.empty()) result.gpu_ms = median_of(std::move(gpu_ms));
     if (gl().recorder != nullptr) result.explanation = gl().recorder->explain();
+    if (settings.pass_frames > 0) {
+      RELIEF_TRY_ASSIGN(result.passes,
+                        time_passes(gl(), settings.pass_frames, progress, [&](PassTimer& timer) {
+                          return draw(*cloud, view, settings, features, layers, timer, progress);
+                        }));
+    }
     RELIEF_TRY(check_errors(gl(), "the image"));
     RELIEF_TRY(opengl_->status());
     const bool is_encoded = model_.blends_encoded(settings);
