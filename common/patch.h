@@ -106,6 +106,7 @@ struct PatchModel {
   std::vector<ScalarInfo> scalars;
   /// The surface encloses a body, normals outward, so that its back is invisible from outside.
   bool is_closed = false;
+  bool is_of_points = false;  ///< patches meet, though the scan has no faces
 };
 
 /// Sets bounds, bounding sphere and extreme points to those of a scan's positions (world frame).

@@ -53,8 +53,7 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
   } else {
     RELIEF_TRY_ASSIGN(file.patches, load_model(path, progress, options.read, options.textures));
   }
-  // Patches of bare points overlap, unless --seams joins them.
-  file.is_mesh = is_joined(file.patches);
+  file.is_mesh = is_joined(file.patches) && !file.patches.is_of_points;
   if (forms.mesh) {
     RELIEF_TRY(add_mesh_of_patches(file, path));
   }

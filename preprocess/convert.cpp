@@ -19,6 +19,7 @@
 #include "preprocess/coarse_scan.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/make_model.h"
+#include "preprocess/meeting.h"
 #include "preprocess/normals/closed_mesh.h"
 #include "preprocess/normals/normals.h"
 #include "preprocess/partition/find_regions.h"
@@ -194,7 +195,6 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
                                       Progress& progress) {
   ConvertResult result;
   const bool textured = has_triangle_colours(points);
-  const bool seams = options.seams.value_or(!points.triangles.empty());
   if (points.triangles.empty()) result.report.points_merged = even_out(points, progress);
   if (progress.cancelled()) return interrupted_error();
   RELIEF_TRY_ASSIGN(CleanScan clean, drop_strays(points, options, result.report, progress));
@@ -222,7 +222,8 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
 
   MeshInTime in_time(mesh, coarse ? mesh.size() : points.size() - result.report.points_added,
                      coarse ? coarse->welded : mesh.triangles);
-  const MeshSides* const sides = coarse && coarse->has_sides && seams ? &coarse->sides : nullptr;
+  const MeshSides* const sides =
+      coarse && coarse->has_sides && options.seams.value_or(true) ? &coarse->sides : nullptr;
   if (!clean.graph) progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph =
       sides != nullptr ? find_neighbours_on_sides(points.positions, sides->of_points)
@@ -244,14 +245,18 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
 
-  std::optional<CreaseNormals> creases;
-  if (seams) creases = find_creases(points.positions, points.normals, graph);
+  const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
+  Meeting meeting;
+  if (options.seams.value_or(!points.triangles.empty()))
+    meeting.creases = find_creases(points.positions, points.normals, graph);
+  else if (!options.seams)
+    meeting = choose_meeting(samples, graph);
+  if (progress.cancelled()) return interrupted_error();
   std::vector<Region> regions =
       find_regions(points, points.size(), graph, frames, options.cone_degrees,
-                   creases ? &*creases : nullptr, progress);
+                   meeting.creases ? &*meeting.creases : nullptr, progress);
   if (progress.cancelled()) return interrupted_error();
 
-  const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
   if (options.adaptive_spacing) regions = split_by_density(samples, graph, std::move(regions));
   const std::vector<ScalarInfo> scalars = describe_scalars(points.scalars);
   const PartitionedScan scan{.unit = unit,
@@ -264,10 +269,11 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
                              .samples = samples,
                              .regions = regions,
                              .scalars = scalars,
-                             .creases = creases ? &*creases : nullptr,
+                             .creases = meeting.creases ? &*meeting.creases : nullptr,
+                             .border = meeting.border.get(),
                              .spheres = mesh.triangles.empty() ? nullptr : &in_time.spheres(),
                              .textured = textured,
-                             .is_borderless = in_time.is_borderless(),
+                             .is_borderless = in_time.is_borderless() || meeting.is_closed,
                              .normals = source_of_normals(normals, clean)};
   RELIEF_TRY_ASSIGN(MeasuredModel made, make_best_model(scan, options, progress));
   result.report.fits = made.fits.fits;
@@ -279,6 +285,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   model.bounding_radius = extent.bounding_radius;
   model.extremes = std::move(extent.extremes);
   model.is_closed = in_time.is_closed();
+  model.is_of_points = meeting.creases && points.triangles.empty() && mesh.triangles.empty();
   model.stance = stance_of(options.up, stance_of(mesh));
   model.has_colours = textured || !points.colours.empty();
   report_model(made.fidelity, model, result.report);

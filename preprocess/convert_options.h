@@ -32,7 +32,8 @@ struct ConvertOptions {
   double cone_degrees =
       0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
   /// Whether patches meet at seams instead of overlapping. By default they do if the scan has
-  /// faces: bare points may be noisy and have gaps, which only margins close.
+  /// faces, or as choose_meeting() says of bare points: those may have gaps, which only margins
+  /// close.
   std::optional<bool> seams;
   NoiseRemoval noise_removal = NoiseRemoval::Default;
   double noise = 0.0;        ///< standard deviation along the normal, world units, for AsGiven

@@ -107,6 +107,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
        .creases = scan.creases,
        .scalars = scan.points.scalars,
        .scalar_infos = scan.scalars,
+       .border = scan.border,
        .is_cut_later = scan.sides != nullptr,
        .fits = &fits},
       budget.factors, resample_options(options, seams, spacing, scan.normals), regions, progress);

@@ -32,9 +32,10 @@ struct PartitionedScan {
   const std::vector<Region>& regions;
   const std::vector<ScalarInfo>& scalars;    ///< of those of `points`
   const CreaseNormals* creases = nullptr;    ///< none: patches overlap
+  const ScanBorder* border = nullptr;        ///< if it is known, for patches that overlap
   const TriangleSpheres* spheres = nullptr;  ///< of the mesh; none without triangles
   bool textured = false;                     ///< its triangles have materials
-  bool is_borderless = false;                ///< the mesh
+  bool is_borderless = false;                ///< the mesh, or the points
   NormalSource normals = NormalSource::Fits;
 };
 

@@ -90,15 +90,16 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
   CLI::Option* const seams = sub.add_flag_callback(
       "--seams", [&arguments] { arguments.options.seams = true; },
       "End patches at common seams instead of letting them overlap; with --memory they still "
-      "overlap from tile to tile (default for scans with faces, except with --memory)");
+      "overlap from tile to tile (default for scans with faces, and for points of bodies that are "
+      "closed or have sharp edges, except with --memory)");
   sub.add_option_function<int>(
          "--overlap",
          [&arguments](int cells) {
            arguments.options.seams = false;
            arguments.options.overlap_cells = cells;
          },
-         fmt::format("Let patches overlap by so many grid cells, 0 to 16 (default {} for scans "
-                     "without faces)",
+         fmt::format("Let patches overlap by so many grid cells, 0 to 16 (default {} for other "
+                     "points)",
                      arguments.options.overlap_cells))
       ->excludes(seams)
       ->check(count_from(0, 16))

@@ -39,6 +39,7 @@ struct PatchFileInfo {
   std::vector<ScalarInfo> scalars;      ///< as PatchModel::scalars
   bool is_closed = false;               ///< as PatchModel::is_closed
   bool is_joined = false;               ///< patches meet at seams, or those of each tile do
+  bool is_of_points = false;            ///< as PatchModel::is_of_points
 };
 
 /// The index entry of one patch: enough to transform and cull it before it is read. Terms and frame

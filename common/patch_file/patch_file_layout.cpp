@@ -67,6 +67,7 @@ std::vector<std::byte> write_header(const FileHeader& header) {
   append_number(out, (header.is_closed ? kClosedFlag : std::uint64_t{0}) |
                          (header.is_joined ? kJoinedFlag : std::uint64_t{0}) |
                          (header.is_borderless ? kBorderlessFlag : std::uint64_t{0}) |
+                         (header.is_of_points ? kPointsFlag : std::uint64_t{0}) |
                          (std::uint64_t{header.block_bytes} << kBlockSizeShift));
   append_number(out, header.index_checksum);
   append_number(out, crc32(out));
@@ -118,6 +119,7 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   header.is_closed = (flags & kClosedFlag) != 0;
   header.is_joined = (flags & kJoinedFlag) != 0;
   header.is_borderless = (flags & kBorderlessFlag) != 0;
+  header.is_of_points = (flags & kPointsFlag) != 0;
   header.block_bytes = static_cast<std::uint32_t>(flags >> kBlockSizeShift);
   header.index_checksum = in.take<std::uint32_t>();
 

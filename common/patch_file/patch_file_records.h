@@ -25,6 +25,7 @@ inline constexpr std::size_t kTileRecordBytes = 84;
 inline constexpr std::uint64_t kClosedFlag = 1;
 inline constexpr std::uint64_t kJoinedFlag = 2;
 inline constexpr std::uint64_t kBorderlessFlag = 4;  ///< also where the surface is not closed
+inline constexpr std::uint64_t kPointsFlag = 8;      ///< PatchModel::is_of_points
 /// The upper half of the flags is the size of the model block, bytes.
 inline constexpr unsigned kBlockSizeShift = 32;
 
@@ -70,7 +71,8 @@ struct FileHeader {
   double bounding_radius = 0.0;
   bool is_closed = false;
   bool is_joined = false;
-  bool is_borderless = false;     ///< PatchRun::is_closed of patches that meet
+  bool is_borderless = false;  ///< PatchRun::is_closed of patches that meet
+  bool is_of_points = false;
   std::uint32_t block_bytes = 0;  ///< of the model block, which follows the header
   ModelBlock block;               ///< set by read_header
 

@@ -98,6 +98,7 @@ PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   info.stance = header.block.stance;
   info.scalars = header.block.scalars;
   info.is_closed = header.is_closed;
+  info.is_of_points = header.is_of_points;
   info.is_joined = header.is_joined;
   bool has_normals = false;
   bool has_colours = false;

@@ -229,6 +229,7 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
   header.is_closed = model.is_closed;
   header.is_joined = is_joined(model);
   header.is_borderless = header.is_joined && !model.is_closed && model.joined.front().is_closed;
+  header.is_of_points = model.is_of_points;
   const std::vector<std::byte> index = write_index(layout, header);
   header.patches = static_cast<std::uint32_t>(layout.patches.size());
   header.chunks = static_cast<std::uint32_t>(layout.chunks.size());

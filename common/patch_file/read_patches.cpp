@@ -75,6 +75,7 @@ Result<PatchModel> PatchFile::read_all(Progress& progress, const PatchSections& 
   model.extremes = info().extremes;
   model.stance = info().stance;
   model.is_closed = info().is_closed;
+  model.is_of_points = info().is_of_points;
   model.joined = joined();
   if (sections.scalars) model.scalars = info().scalars;
   join_normals(model);

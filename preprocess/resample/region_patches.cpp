@@ -65,7 +65,7 @@ std::vector<Patch> make_patches(const ScanSurface& scan, const std::vector<doubl
                                 Progress& progress) {
   ScanSurface bordered = scan;
   std::optional<ScanBorder> border;
-  if (!options.seams) {
+  if (!options.seams && scan.border == nullptr) {
     border.emplace(scan.samples, scan.graph, scan.membership.of_others);
     bordered.border = &*border;
   }

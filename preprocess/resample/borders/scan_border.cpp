@@ -32,6 +32,11 @@ constexpr double kGapCosine = 0.7;
 constexpr double kWidestGap = 4.0;
 constexpr double kWidestStep = 10.0;
 
+// Normals turn by 45 degrees at a sharp edge, and what lies beyond it begins at most so many
+// spacings inward of a point there.
+constexpr float kTurnAtEdge = 0.7F;
+constexpr double kNearEdge = 0.2;
+
 // Points of a border weigh exp(-d^2 / s^2), s in scan spacings, up to so many of s away ...
 constexpr double kCurveScale = 2.0;
 constexpr double kCurveCutoff = 2.0;
@@ -118,6 +123,19 @@ bool is_gap(const SurfaceSamples& samples, const RadiusSearch& all, std::uint32_
   });
 }
 
+/// Whether a point is at a sharp edge, beyond which the surface goes on with other normals: the
+/// face there is seen edge-on.
+bool is_at_edge(const SurfaceSamples& samples, const RadiusSearch& all, std::uint32_t i,
+                glm::dvec3 outward) {
+  std::vector<std::uint32_t> found;
+  all.find(samples.positions[i], kEmptyReach * samples.spacing[i], found);
+  return std::ranges::any_of(found, [&](std::uint32_t j) {
+    return glm::dot(samples.normals[i], samples.normals[j]) < kTurnAtEdge &&
+           glm::dot(samples.positions[j] - samples.positions[i], outward) >
+               -kNearEdge * samples.spacing[i];
+  });
+}
+
 }  // namespace
 
 ScanBorder::ScanBorder(const SurfaceSamples& samples, const NeighbourGraph& graph,
@@ -137,6 +155,7 @@ ScanBorder::ScanBorder(const SurfaceSamples& samples, const NeighbourGraph& grap
   std::vector<glm::dvec3> positions;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!outward[i]) continue;
+    count_ += is_at_edge(samples, all, i, *outward[i]) ? 0 : 1;
     positions.push_back(samples.positions[i]);
     points_.push_back({samples.positions[i], samples.normals[i], glm::vec3(*outward[i])});
   }

@@ -1,6 +1,7 @@
 // Where a scan ends: about its outside and the holes in it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -24,6 +25,8 @@ class ScanBorder {
   ScanBorder(const SurfaceSamples& samples, const NeighbourGraph& graph, std::uint32_t of_others);
 
   [[nodiscard]] bool empty() const { return points_.empty(); }
+  /// How many points are at borders, without those at sharp edges, of which some look like it.
+  [[nodiscard]] std::size_t count() const { return count_; }
 
   /// How far a position on the scan's surface lies beyond its border; negative: before it. World
   /// units. Nothing if no border is near. `normal`: of the surface there; `spacing`: of the scan
@@ -39,6 +42,7 @@ class ScanBorder {
   };
 
   std::vector<Point> points_;
+  std::size_t count_ = 0;
   std::optional<RadiusSearch> search_;
 };
 

@@ -88,6 +88,18 @@ TEST(PatchFile, KeepsThatPatchesThatMeetHaveNoBorder) {
   }
 }
 
+TEST(PatchFile, KeepsThatPatchesThatMeetAreOfPoints) {
+  const ScratchFolder folder;
+  PatchModel model = bumpy_model(2);
+  model.joined = {{0, 2, false}};
+  for (const bool is_of_points : {false, true}) {
+    model.is_of_points = is_of_points;
+    ASSERT_TRUE(write_patch_file(folder / "a.relief", model));
+    EXPECT_EQ(read_whole(folder / "a.relief").is_of_points, is_of_points);
+    EXPECT_EQ(slurp(folder / "a.relief")[112], is_of_points ? 10 : 2);
+  }
+}
+
 TEST(PatchFile, KeepsThatAModelIsClosed) {
   const ScratchFolder folder;
   PatchModel model = bumpy_model(2);
