@@ -12,8 +12,14 @@ namespace relief {
 namespace {
 
 /// What the files of a plan hold, by their indices.
-Result<ShownColours> colours_in(const ScenePlan& plan) {
+struct Contents {
   ShownColours colours;
+  bool have_seams = false;  ///< patches of one of them meet
+};
+
+Result<Contents> contents_of(const ScenePlan& plan) {
+  Contents contents;
+  ShownColours& colours = contents.colours;
   std::set<std::filesystem::path> seen;
   for (const SceneModel& model : plan.models) {
     if (!seen.insert(model.file).second) continue;
@@ -23,10 +29,11 @@ Result<ShownColours> colours_in(const ScenePlan& plan) {
     const auto last = static_cast<std::uint32_t>(tree.tiles().size() - 1);
     RELIEF_TRY_ASSIGN(const PatchFile tile, tree.open_tile(last));
     const PatchFileInfo& info = tile.info();
+    contents.have_seams |= info.is_joined;
     colours.are_there |= std::ranges::find(info.attributes, "colour") != info.attributes.end();
-    colours.are_on_faces |= tree.tiles().size() == 1 && info.is_joined;
+    colours.are_on_faces |= tree.tiles().size() == 1 && info.is_joined && !info.is_of_points;
   }
-  return colours;
+  return contents;
 }
 
 /// Adds what a view of an engine that draws patches shows.
@@ -42,9 +49,11 @@ Result<PatchSections> sections_of(const ScenePlan& plan, bool by_scalar,
                                   std::span<const EngineEntry> among) {
   if (!std::ranges::all_of(plan.models, names_patch_file, &SceneModel::file))
     return PatchSections{};
-  RELIEF_TRY_ASSIGN(ShownColours colours, colours_in(plan));
+  RELIEF_TRY_ASSIGN(const Contents contents, contents_of(plan));
+  ShownColours colours = contents.colours;
   colours.stand_for_numbers = by_scalar;
-  PatchSections sections{false, false, by_scalar};
+  // Seams follow the normals: without these they would be others, by the material.
+  PatchSections sections{contents.have_seams, false, by_scalar};
   for (const PlannedView& view : plan.views) {
     RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
     if (engine->forms.front() != ModelForm::Patches || engine->features == nullptr)

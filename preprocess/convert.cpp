@@ -247,7 +247,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
   Meeting meeting;
-  if (options.seams.value_or(!points.triangles.empty()))
+  if (options.seams.value_or(!mesh.triangles.empty()))
     meeting.creases = find_creases(points.positions, points.normals, graph);
   else if (!options.seams)
     meeting = choose_meeting(samples, graph);
@@ -285,7 +285,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   model.bounding_radius = extent.bounding_radius;
   model.extremes = std::move(extent.extremes);
   model.is_closed = in_time.is_closed();
-  model.is_of_points = meeting.creases && points.triangles.empty() && mesh.triangles.empty();
+  model.is_of_points = meeting.creases && mesh.triangles.empty();
   model.stance = stance_of(options.up, stance_of(mesh));
   model.has_colours = textured || !points.colours.empty();
   report_model(made.fidelity, model, result.report);

@@ -256,8 +256,9 @@ TEST_F(CompareCommand, TheResultIsTheSameEveryTime) {
 TEST_F(CompareCommand, JudgesImagesThatReliefRendered) {
   const std::string scan = write_knot(5000);
   for (const char* name : {"direct", "corrected"}) {
-    const Outcome run = run_relief({"render", scan, "-o", path(std::string(name) + ".exr"),
-                                    "--size", "160x128", "--frames", "1", "--interpolation", name});
+    const Outcome run =
+        run_relief({"render", scan, "-o", path(std::string(name) + ".exr"), "--size", "160x128",
+                    "--frames", "1", "--primitive", "quad", "--interpolation", name});
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
   const json result = compare({path("direct.exr"), path("corrected.exr"), "--fail-above", "holes=0",

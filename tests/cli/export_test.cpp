@@ -15,7 +15,7 @@ class ExportCommand : public CliTest {
   void SetUp() override {
     CliTest::SetUp();
     scan_ = path("knot.relief");
-    const Outcome run = run_relief({"convert", write_knot(5000), "-o", scan_});
+    const Outcome run = run_relief({"convert", write_knot(5000), "-o", scan_, "--overlap", "1"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
 

@@ -97,8 +97,21 @@ TEST_F(SeamsCommand, AreTheDefaultOfScansWithFaces) {
     run_json(arguments);
     EXPECT_EQ(run_json({"info", path("mesh.relief")})["seams"], !overlap);
   }
-  run_json({"convert", write_knot(3000), "-o", path("bare.relief")});
-  EXPECT_EQ(run_json({"info", path("bare.relief")})["seams"], false);
+}
+
+TEST_F(SeamsCommand, AreTheDefaultOfPointsOfAClosedBody) {
+  run_json({"convert", write_knot(3000), "-o", path("closed.relief")});
+  EXPECT_EQ(run_json({"info", path("closed.relief")})["seams"], true);
+  run_json({"convert", write_knot(3000), "-o", path("overlap.relief"), "--overlap", "1"});
+  EXPECT_EQ(run_json({"info", path("overlap.relief")})["seams"], false);
+  std::string sheet =
+      "ply\nformat ascii 1.0\nelement vertex 1600\nproperty float x\nproperty float y\nproperty "
+      "float "
+      "z\nend_header\n";
+  for (int k = 0; k < 1600; ++k)
+    sheet += std::to_string(k % 40) + " " + std::to_string(k / 40) + " 0\n";
+  run_json({"convert", write("sheet.ply", sheet), "-o", path("sheet.relief")});
+  EXPECT_EQ(run_json({"info", path("sheet.relief")})["seams"], false);
 }
 
 }  // namespace

@@ -92,6 +92,19 @@ TEST_F(ShownSections, AnUnlitImageNeedsNoNormals) {
   EXPECT_EQ(sections_for(file, clipped), (PatchSections{true, true, false}));
 }
 
+// Otherwise an unlit image, or a PNG, would have other seams than an EXR and the window.
+TEST_F(ShownSections, SeamsNeedNormals) {
+  PatchModel model = sphere(0.1, true);
+  model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), true}};
+  const auto file = folder_ / "joined.relief";
+  for (const bool is_of_points : {false, true}) {
+    model.is_of_points = is_of_points;
+    ASSERT_TRUE(write_patch_file(file, model));
+    EXPECT_EQ(sections_for(file, of_material(Material::Unlit)), (PatchSections{true, true, false}));
+    EXPECT_EQ(sections_for(file, {}), (PatchSections{true, true, false}));
+  }
+}
+
 TEST_F(ShownSections, ScalarsAreReadWhereTheyTakeThePlaceOfColours) {
   EXPECT_EQ(sections_for(write_sphere(), of_material(Material::Lit), true),
             (PatchSections{true, false, true}));
