@@ -13,7 +13,8 @@ class ExplainCost : public JsonTest {
  protected:
   std::string write_patches() {
     const std::string scan = write_knot(3000);
-    EXPECT_EQ(run_relief({"convert", scan, "-o", path("knot.relief")}).exit_code, 0);
+    EXPECT_EQ(run_relief({"convert", scan, "-o", path("knot.relief"), "--overlap", "1"}).exit_code,
+              0);
     return path("knot.relief");
   }
 };
@@ -29,6 +30,8 @@ TEST_F(ExplainCost, ReportsWhatWasReadOfPatchFiles) {
   EXPECT_EQ(unlit["normals"], 0);
   EXPECT_GT(read("lit", "a.png")["normals"], 0);
   EXPECT_GT(read("unlit", "a.exr")["normals"], 0) << "an EXR has normals by default";
+  EXPECT_EQ(run_relief({"convert", path("knot.ply"), "-o", file, "--seams"}).exit_code, 0);
+  EXPECT_GT(read("unlit", "a.png")["normals"], 0) << "seams follow them";
   // What is converted in memory has no sections.
   const Json scan =
       run_json({"render", path("knot.ply"), "-o", path("a.png"), "--size", "64x64", "--explain"});
