@@ -65,6 +65,7 @@ nlohmann::ordered_json passes_as_json(const std::vector<PassTime>& passes) {
 std::string passes_as_text(const std::vector<PassTime>& passes) {
   if (passes.empty()) return {};
   std::vector<std::string> texts;
+  texts.reserve(passes.size());
   for (const PassTime& pass : passes)
     texts.push_back(fmt::format("{} {:.2f} ms", pass.name, pass.ms));
   return fmt::format("  passes          {}\n", fmt::join(texts, ", "));
