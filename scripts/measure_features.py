@@ -31,8 +31,8 @@ POOL = {"file": "pool.relief", "material": "mirror",
 SCENES = {
     "Unlit, no colours": {
         "scene": {"models": [{"file": "dragon.relief", "material": "unlit"}]},
-        "says": "The Dragon as a silhouette. The file's normals are read for its seams alone: no map but the masks of coarser levels is on the GPU, and one "
-                "pass draws the image. Levels of detail are the only feature; they are there to save time, and cost memory and code."},
+        "says": "The Dragon as a silhouette. The file's normals are read for its seams alone: no map but the masks of coarser levels is "
+                "on the GPU, and one pass draws the image. Levels of detail are the only feature; they are there to save time, and cost memory and code."},
     "Unlit colours": {
         "scene": {"models": [{"file": "lion.relief", "material": "unlit"}]},
         "says": "A scan with colours, as points with colours are shown by default. Its colours are a section of the file, a map on the GPU and "

@@ -65,13 +65,7 @@ void add_cost(const RenderResult& drawn, RenderResult& all) {
   all.gpu_ms = sum_of(all.gpu_ms, drawn.gpu_ms);
   all.fragments = sum_of(all.fragments, drawn.fragments);
   if (all.explanation && drawn.explanation) append(*all.explanation, *drawn.explanation);
-  for (const PassTime& pass : drawn.passes) {
-    const auto same = std::ranges::find(all.passes, pass.name, &PassTime::name);
-    if (same == all.passes.end())
-      all.passes.push_back(pass);
-    else
-      same->ms += pass.ms;
-  }
+  for (const PassTime& pass : drawn.passes) add_pass(all.passes, pass);
 }
 
 void add_part(RenderResult drawn, const Raster& part, const RenderSettings& settings,

@@ -105,9 +105,8 @@ TEST_F(SeamsCommand, AreTheDefaultOfPointsOfAClosedBody) {
   run_json({"convert", write_knot(3000), "-o", path("overlap.relief"), "--overlap", "1"});
   EXPECT_EQ(run_json({"info", path("overlap.relief")})["seams"], false);
   std::string sheet =
-      "ply\nformat ascii 1.0\nelement vertex 1600\nproperty float x\nproperty float y\nproperty "
-      "float "
-      "z\nend_header\n";
+      "ply\nformat ascii 1.0\nelement vertex 1600\n"
+      "property float x\nproperty float y\nproperty float z\nend_header\n";
   for (int k = 0; k < 1600; ++k)
     sheet += std::to_string(k % 40) + " " + std::to_string(k / 40) + " 0\n";
   run_json({"convert", write("sheet.ply", sheet), "-o", path("sheet.relief")});

@@ -44,9 +44,9 @@ struct ImageLine {
 /// = V (V + b I)^-1. So the share of it before a line is the share of the pixel before the line for
 /// a large splat, and that of the splat for one smaller than a pixel. b is the variance of a
 /// pixel's square, kPixelVariance: with that of the low-pass filter, 1, the silhouette of a cube of
-/// 20 x 20 points a face moves out by 0.8 pixels, because a pixel is covered from the sum of
-/// kernels 0.4 on (PSNR of its coverage against a ray-traced cube 27.5 dB, so 32.5 dB, a hard
-/// cut 33.3 dB).
+/// 20 x 20 points a face moved out by 0.8 pixels (PSNR of its coverage against a ray-traced cube
+/// 27.5 dB, so 32.5 dB, a hard cut 33.3 dB; measured when what is kept of kernels, not its share,
+/// was the coverage).
 struct SeenSplat {
   glm::dmat2 mean{1.0};  ///< M
   double filter = 0.0;   ///< b; 0: without a filter

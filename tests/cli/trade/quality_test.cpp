@@ -115,11 +115,20 @@ TEST_F(QualityOption, StepsPerSpacingIsAHeightStepOfEachPatch) {
   const std::string usual = converted({});
   EXPECT_EQ(converted({"--steps-per-spacing", "20"}), usual);
   EXPECT_LT(converted({"--steps-per-spacing", "5"}).size(), usual.size());
-  const json few = parsed(run_relief(
-      {"convert", scan_, "-o", path("out.relief"), "--json", "--samples-per-point", "0.25"}));
-  // A quarter of the points; ragged borders weigh more with fewer samples.
-  EXPECT_GT(few["samples"], 3000 / 8);
-  EXPECT_LT(few["samples"], 3000 / 2);
+  const auto samples = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "convert", scan_, "-o", path("out.relief"), "--json", "--samples-per-point", "0.25"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return parsed(run_relief(arguments))["samples"].get<int>();
+  };
+  // A quarter of the points, and margins and ragged borders, which weigh more with fewer samples.
+  const int few = samples({"--overlap", "1"});
+  EXPECT_GT(few, 3000 / 4);
+  EXPECT_LT(few, 3000 / 2);
+  // Patches that meet have no margins: on a rope this thin they end up to a spacing before others.
+  const int meeting = samples({});
+  EXPECT_GT(meeting, 3000 / 8);
+  EXPECT_LT(meeting, 3000 / 4);
 }
 
 }  // namespace

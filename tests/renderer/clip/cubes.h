@@ -101,16 +101,18 @@ inline std::vector<double> outside_cube(const View& view) {
 /// What is wrong at the silhouette, in pixels.
 struct SilhouetteErrors {
   std::size_t overhang = 0;  ///< covered by more than half, more than a pixel outside
-  std::size_t holes = 0;     ///< covered by less than 99.9 %, more than a pixel inside
+  std::size_t holes = 0;     ///< covered by less than all, more than a pixel inside
   std::size_t moved = 0;     ///< the middle of the edge is more than a fifth of a pixel off
 };
 
-inline SilhouetteErrors silhouette_errors(const std::vector<float>& alpha, const View& view) {
+/// `all`: the coverage from which on a pixel is covered by all.
+inline SilhouetteErrors silhouette_errors(const std::vector<float>& alpha, const View& view,
+                                          float all = 1.0F) {
   const std::vector<double> outside = outside_cube(view);
   SilhouetteErrors errors;
   for (std::size_t k = 0; k < alpha.size(); ++k) {
     if (outside[k] > 1.0 && alpha[k] > 0.5F) ++errors.overhang;
-    if (outside[k] < -1.0 && alpha[k] < 0.999F) ++errors.holes;
+    if (outside[k] < -1.0 && alpha[k] < all) ++errors.holes;
     if (std::abs(outside[k]) > 0.2 && (outside[k] > 0.0) == (alpha[k] > 0.5F)) ++errors.moved;
   }
   return errors;

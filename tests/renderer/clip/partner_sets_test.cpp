@@ -46,7 +46,7 @@ TEST(PartnerSets, ManyLinkedLinesTakeBoundedTime) {
     lines.push_back(line_through(glm::dvec2(-0.5, 0.3) + 0.4 * away, -away));
   }
   const PartnerSets sets = group_lines(lines, 0.0);
-  EXPECT_LE(sets.groups.size(), lines.size());
+  EXPECT_LE(sets.groups.size(), 4U) << "with a group for each there are 23";
   EXPECT_FALSE(clips(sets, {0.0, 0.0}));
 }
 

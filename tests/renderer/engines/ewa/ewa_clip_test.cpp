@@ -116,7 +116,8 @@ TEST(EwaClip, ACubeHasTheSilhouetteOfACube) {
     const View view = view_of(cube_image(true));
     const auto errors = [&](bool clipped) {
       const RenderResult result = must_splat(cloud, cube_image(clipped));
-      return test::silhouette_errors(values(result.image, "A"), view);
+      // A pixel's Gaussian leaves 0.03 % of it beyond an edge that is a pixel away.
+      return test::silhouette_errors(values(result.image, "A"), view, 0.999F);
     };
     // Splats reach 1.4 spacings beyond the edges, about five pixels of twenty a row.
     EXPECT_GT(errors(false).overhang, 300U) << side;
