@@ -24,7 +24,7 @@ std::uint64_t drop_stray_points(Points& points, NeighbourGraph& graph, const Pro
     const auto count = static_cast<std::size_t>(std::ranges::count(stray, 1));
     if (count == 0 || 2 * count > points.size() || points.size() - count < kMinSurfacePoints) break;
     dropped += drop_points(points, stray);
-    graph = find_neighbours(points.positions, kSurfaceNeighbours);
+    graph = neighbours_after_drop(graph, stray, points.positions);
   }
   return dropped;
 }

@@ -36,6 +36,14 @@ struct NeighbourGraph {
 [[nodiscard]] NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions,
                                              std::uint32_t k);
 
+/// Returns the neighbours of the points that are left when those with `dropped` are; `positions`:
+/// of the points left, in the same order. `graph` is of all. Only points that had a dropped
+/// neighbour are searched for again. The others keep their neighbours' order, equal distances
+/// included.
+[[nodiscard]] NeighbourGraph neighbours_after_drop(const NeighbourGraph& graph,
+                                                   const std::vector<std::uint8_t>& dropped,
+                                                   const std::vector<glm::dvec3>& positions);
+
 /// Returns each point's distance to its eighth neighbour, or to its last if it has fewer, world
 /// units. Every point has one.
 [[nodiscard]] std::vector<float> distances_to_eighth(const std::vector<glm::dvec3>& positions,

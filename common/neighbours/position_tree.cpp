@@ -1,5 +1,7 @@
 #include "common/neighbours/position_tree.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <span>
@@ -82,8 +84,12 @@ std::size_t split_at(std::span<Entry> entries, Cut cut) {
   return std::clamp(entries.size() / 2, first_on, first_above);
 }
 
+// Sides of splits of more entries are built in parallel: fewer take less than a millisecond.
+constexpr std::uint32_t kManyEntries = 8192;
+
 struct TreeBuilder {
-  std::vector<PositionTree::Node>& nodes;
+  using Node = PositionTree::Node;
+  std::vector<Node>& nodes;
   std::span<Entry> all;
 
   /// Adds the nodes of the slots [first, first + count), which lie in `box`. Returns the box of
@@ -101,15 +107,40 @@ struct TreeBuilder {
     const auto lower_count = static_cast<std::uint32_t>(split_at(entries, cut));
     Box lower = box;
     lower.high[cut.axis] = cut.value;
-    lower = add(first, lower_count, lower);
-    nodes[at].axis = static_cast<std::uint32_t>(cut.axis);
-    nodes[at].first = static_cast<std::uint32_t>(nodes.size());
     Box upper = box;
     upper.low[cut.axis] = cut.value;
-    upper = add(first + lower_count, count - lower_count, upper);
+    nodes[at].axis = static_cast<std::uint32_t>(cut.axis);
+    if (count < kManyEntries) {
+      lower = add(first, lower_count, lower);
+      nodes[at].first = static_cast<std::uint32_t>(nodes.size());
+      upper = add(first + lower_count, count - lower_count, upper);
+    } else {
+      std::vector<Node> lower_nodes;
+      std::vector<Node> upper_nodes;
+      tbb::parallel_invoke(
+          [&] {
+            lower = TreeBuilder{lower_nodes, all}.add(first, lower_count, lower);
+          },
+          [&] {
+            upper =
+                TreeBuilder{upper_nodes, all}.add(first + lower_count, count - lower_count, upper);
+          });
+      append(lower_nodes);
+      nodes[at].first = static_cast<std::uint32_t>(nodes.size());
+      append(upper_nodes);
+    }
     nodes[at].low = lower.high[cut.axis];
     nodes[at].high = upper.low[cut.axis];
     return {glm::min(lower.low, upper.low), glm::max(lower.high, upper.high)};
+  }
+
+  /// Adds the nodes of a tree of their own.
+  void append(const std::vector<Node>& tree) {
+    const auto before = static_cast<std::uint32_t>(nodes.size());
+    for (Node node : tree) {
+      if (node.axis != Node::kLeaf) node.first += before;
+      nodes.push_back(node);
+    }
   }
 };
 

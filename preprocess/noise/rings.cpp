@@ -20,6 +20,14 @@ std::array<double, Rings::kCount> squared_radii() {
 
 const std::array<double, Rings::kCount> kSquaredRingRadii = squared_radii();
 
+/// The ring of a squared distance within the last one's. Points are in all of them, in no order
+/// that a processor could predict: all are compared.
+std::uint8_t ring_at(double squared) {
+  int ring = 0;
+  for (const double radius : kSquaredRingRadii) ring += squared >= radius ? 1 : 0;
+  return static_cast<std::uint8_t>(ring);
+}
+
 }  // namespace
 
 double Rings::radius(std::size_t ring) {
@@ -39,6 +47,7 @@ bool Rings::collect_within(const glm::dvec3& centre, double unit, std::size_t ri
   found_.clear();
   ring_of_.clear();
   const double scale = 1.0 / (unit * unit);
+  const double in_units = 1.0 / unit;
   const double squared_reach = kSquaredRingRadii[rings - 1];
   double reach = squared_reach * unit * unit;
   const auto look_at_leaf = [&](std::size_t first, std::size_t count) {
@@ -47,11 +56,9 @@ bool Rings::collect_within(const glm::dvec3& centre, double unit, std::size_t ri
     for (std::size_t m = 0; m < count; ++m) {
       const double distance = squared[m] * scale;
       if (!(distance < squared_reach)) continue;
-      std::uint8_t ring = 0;
-      while (distance >= kSquaredRingRadii[ring]) ++ring;
       found_.push_back(
-          {(tree_.at(first + m) - centre) / unit, static_cast<std::uint32_t>(first + m)});
-      ring_of_.push_back(ring);
+          {(tree_.at(first + m) - centre) * in_units, static_cast<std::uint32_t>(first + m)});
+      ring_of_.push_back(ring_at(distance));
     }
     if (found_.size() > kMostNeighbours) reach = -1.0;
   };

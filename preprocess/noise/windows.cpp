@@ -32,8 +32,9 @@ constexpr double kSure = 0.05;
 constexpr std::uint32_t kShared = 8;
 constexpr double kManyPoints = 100.0;
 
-// Rings are collected in steps, of 57, 200 and 650 points: most windows end before the last.
-constexpr std::size_t kFirstRings = 5;
+// Rings are collected in steps, of 17, 57, 200 and 650 points: most windows end before the last,
+// and those of little noise with the first.
+constexpr std::size_t kFirstRings = 2;
 constexpr std::size_t kMoreRings = 3;
 
 /// `noise`: in the window's units.

@@ -1,12 +1,13 @@
 #include "preprocess/resample/colour_interpolation.h"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/matrix.hpp>
+#include <span>
 #include <utility>
 
 #include "common/image/srgb.h"
@@ -16,7 +17,7 @@ namespace {
 
 /// Number of points that a colour is interpolated from. A checker of 11 spacings, points at random:
 /// 12 and 8 differ by 0.05 dB.
-constexpr int kMaxPoints = 8;
+constexpr std::size_t kMaxPoints = 8;
 /// Gradients are fitted with weights exp(-d^2 / s^2), and averaged with others, s in local scan
 /// spacings; points farther than this many scales are ignored.
 constexpr double kGradientScale = 1.5;
@@ -36,9 +37,9 @@ constexpr double kNugget = 0.02;
 /// Slopes are limited to 84 degrees, like those of tangent planes.
 constexpr float kMinCosine = 0.1F;
 
-using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxPoints + 1, 1>;
-using Equations =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxPoints + 1, kMaxPoints + 1>;
+using Weights = std::array<double, kMaxPoints>;
+using Equations = Eigen::Matrix<double, kMaxPoints - 1, kMaxPoints - 1>;
+using RightSide = Eigen::Matrix<double, kMaxPoints - 1, 1>;
 
 /// Maps offsets on the base plane to offsets along a surface with this normal, up to a rotation.
 glm::dmat2 along_surface(glm::vec3 normal) {
@@ -47,6 +48,60 @@ glm::dmat2 along_surface(glm::vec3 normal) {
   if (squared < 1e-12) return glm::dmat2(1.0);
   const double stretch = (std::sqrt(1.0 + squared) - 1.0) / squared;
   return glm::dmat2(1.0) + stretch * glm::outerProduct(slope, slope);
+}
+
+/// The points nearest to a position, nearest first.
+class NearestPoints {
+ public:
+  struct Near {
+    double squared = 0.0;  ///< distance, squared
+    std::uint32_t point = 0;
+  };
+
+  void add(Near added) {
+    if (count_ == kMaxPoints && !is_nearer(added, near_[kMaxPoints - 1])) return;
+    if (count_ < kMaxPoints) ++count_;
+    std::size_t at = count_ - 1;
+    for (; at > 0 && is_nearer(added, near_[at - 1]); --at) near_[at] = near_[at - 1];
+    near_[at] = added;
+  }
+
+  [[nodiscard]] std::size_t size() const { return count_; }
+  const Near& operator[](std::size_t i) const { return near_[i]; }
+
+ private:
+  static bool is_nearer(const Near& a, const Near& b) {
+    return a.squared != b.squared ? a.squared < b.squared : a.point < b.point;
+  }
+
+  std::array<Near, kMaxPoints> near_;
+  std::size_t count_ = 0;
+};
+
+/// The weights of ordinary kriging whose variogram is the distance, of points at `offsets` from the
+/// position, spacings: with distances d_ij between points and k_i to the position, sum_j d_ij w_j +
+/// m = k_i for some m, and the weights sum to 1. The first point's weight is what the others leave,
+/// which makes the equations positive definite.
+Weights kriging_weights(std::span<const glm::dvec2> offsets) {
+  const std::size_t others = offsets.size() - 1;
+  // Points that are missing have weights of 0, so that the size is fixed.
+  Equations equations = Equations::Identity();
+  RightSide right = RightSide::Zero();
+  std::array<double, kMaxPoints - 1> to_first{};
+  for (std::size_t i = 0; i < others; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    to_first[i] = glm::distance(offsets[i + 1], offsets[0]);
+    right[row] = to_first[i] + kNugget - glm::length(offsets[i + 1]) + glm::length(offsets[0]);
+    for (std::size_t j = 0; j < i; ++j) {
+      equations(row, static_cast<Eigen::Index>(j)) =
+          to_first[i] + to_first[j] - glm::distance(offsets[i + 1], offsets[j + 1]) + kNugget;
+    }
+    equations(row, row) = 2.0 * (to_first[i] + kNugget);
+  }
+  const RightSide of_others = Eigen::LLT<Equations, Eigen::Lower>(equations).solve(right);
+  Weights weights{1.0 - of_others.sum()};
+  for (std::size_t i = 0; i < others; ++i) weights[i + 1] = of_others[static_cast<Eigen::Index>(i)];
+  return weights;
 }
 
 std::vector<glm::vec3> linear_colours(const PatchPoints& points,
@@ -61,8 +116,6 @@ std::vector<glm::vec3> linear_colours(const PatchPoints& points,
 
 struct ColourInterpolation::Metric {
   glm::dmat2 frame{1.0};  ///< of offsets on the base plane, in spacings
-
-  [[nodiscard]] double distance(glm::dvec2 offset) const { return glm::length(frame * offset); }
 };
 
 ColourInterpolation::ColourInterpolation(const PatchPoints& points, const PointGrid& lookup,
@@ -127,10 +180,11 @@ ColourInterpolation::Metric ColourInterpolation::metric_at(double x, double y,
   const double across = mean + reach + kNoise * kNoise;
   const double along = std::max(mean - reach, 0.0) + kNoise * kNoise;
   const double steering = std::min(kMaxSteering, std::sqrt(std::sqrt(across / along)));
-  const double turn = 0.5 * std::atan2(tensor[0][1], half);
-  const glm::dvec2 edge(std::cos(turn), std::sin(turn));  // across it
-  const glm::dmat2 steered =
-      glm::dmat2(1.0 / steering) + (steering - 1.0 / steering) * glm::outerProduct(edge, edge);
+  if (!(reach > 0.0)) return {surface};
+  // The square of the direction across the edge, by the half angle.
+  const glm::dmat2 edge =
+      glm::dmat2(0.5) + glm::dmat2(half, tensor[0][1], tensor[0][1], -half) * (0.5 / reach);
+  const glm::dmat2 steered = glm::dmat2(1.0 / steering) + (steering - 1.0 / steering) * edge;
   return {steered * surface};
 }
 
@@ -139,40 +193,29 @@ glm::vec3 ColourInterpolation::at(double x, double y, std::uint32_t nearest) con
   const glm::dvec2 position(x, y);
   const double to_nearest = glm::length(glm::dvec2(points_.positions[nearest]) - position);
   const double reach = std::max(kReach * points_.spacing[nearest], 2.0 * to_nearest);
-  std::vector<std::pair<double, std::uint32_t>> around;
-  around.reserve(64);
+  const auto offset_of = [&](std::uint32_t p) {
+    return metric.frame * (glm::dvec2(points_.positions[p]) - position);
+  };
+  NearestPoints around;
   lookup_.for_each_within(x, y, reach, [&](std::uint32_t p, double /*square*/) {
-    around.emplace_back(metric.distance(glm::dvec2(points_.positions[p]) - position), p);
+    const glm::dvec2 offset = offset_of(p);
+    around.add({glm::dot(offset, offset), p});
   });
-  const auto count = std::min<std::ptrdiff_t>(kMaxPoints, std::ssize(around));
-  std::partial_sort(around.begin(), around.begin() + count, around.end());
 
-  glm::vec3 low = values_[around.front().second];
+  glm::vec3 low = values_[around[0].point];
   glm::vec3 high = low;
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    low = glm::min(low, values_[around[i].second]);
-    high = glm::max(high, values_[around[i].second]);
+  for (std::size_t i = 1; i < around.size(); ++i) {
+    low = glm::min(low, values_[around[i].point]);
+    high = glm::max(high, values_[around[i].point]);
   }
   if (low == high) return low;
 
-  Equations equations(count + 1, count + 1);
-  Weights weights(count + 1);
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    const glm::dvec2 p(points_.positions[around[i].second]);
-    for (std::ptrdiff_t j = 0; j < i; ++j) {
-      const glm::dvec2 q(points_.positions[around[j].second]);
-      equations(i, j) = equations(j, i) = metric.distance(p - q);
-    }
-    equations(i, i) = -kNugget;
-    equations(i, count) = equations(count, i) = 1.0;
-    weights(i) = around[i].first;
-  }
-  equations(count, count) = 0.0;
-  weights(count) = 1.0;
-  weights = Eigen::PartialPivLU<Equations>(equations).solve(weights).eval();
+  std::array<glm::dvec2, kMaxPoints> offsets;
+  for (std::size_t i = 0; i < around.size(); ++i) offsets[i] = offset_of(around[i].point);
+  const Weights weights = kriging_weights(std::span(offsets).first(around.size()));
   glm::dvec3 colour(0.0);
-  for (std::ptrdiff_t i = 0; i < count; ++i)
-    colour += weights(i) * glm::dvec3(values_[around[i].second]);
+  for (std::size_t i = 0; i < around.size(); ++i)
+    colour += weights[i] * glm::dvec3(values_[around[i].point]);
   return glm::clamp(glm::vec3(colour), low, high);
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -33,5 +35,31 @@ inline WidestSectors widest_sectors(std::vector<double>& angles) {
   }
   return widest;
 }
+
+/// Twelve sectors of 30 degrees, and which of them hold a direction: a cheap first look, without
+/// angles.
+class TwelveSectors {
+ public:
+  /// (0, 0) is no direction.
+  void add(double x, double y) {
+    if (x == 0.0 && y == 0.0) return;
+    constexpr double kTan30 = 0.57735026918962576;
+    const double across = std::abs(x);
+    const double up = std::abs(y);
+    const unsigned from_axis = (up > kTan30 * across ? 1U : 0U) + (kTan30 * up > across ? 1U : 0U);
+    const unsigned half = x >= 0.0 ? from_axis : 5U - from_axis;
+    taken_ |= 1U << (y >= 0.0 ? half : 11U - half);
+  }
+
+  /// Whether a sector of 120 degrees or more may be empty: it has three of the twelve in it.
+  [[nodiscard]] bool may_leave_120_degrees() const {
+    const std::uint32_t free = ~taken_ & 0xFFFU;
+    const std::uint32_t twice = free | free << 12U;
+    return (twice & twice >> 1U & twice >> 2U) != 0;
+  }
+
+ private:
+  std::uint32_t taken_ = 0;
+};
 
 }  // namespace relief

@@ -68,10 +68,17 @@ class BorderFinder {
     const glm::dvec3 n(samples_.normals[i]);
     if (n == glm::dvec3(0.0)) return {};
     complete_frame(n, u_, v_);
+    // Nine of ten points are done with here.
+    TwelveSectors sectors;
+    for (const std::uint32_t j : graph_.of(i)) {
+      const glm::dvec2 d = in_plane(i, j);
+      sectors.add(d.x, d.y);
+    }
+    static_assert(kEmptySector >= 120.0 * kDegree);
+    if (!sectors.may_leave_120_degrees()) return {};
     angles_.clear();
     for (const std::uint32_t j : graph_.of(i)) add(i, j);
-    // Most points are done with here. A point at a border of rows has its nearest along its own
-    // row, so that theirs are asked, too.
+    // A point at a border of rows has its nearest along its own row, so that theirs are asked, too.
     if (widest_sectors(angles_).width < kEmptySector) return {};
     const double reach = kEmptyReach * samples_.spacing[i];
     angles_.clear();
@@ -87,11 +94,14 @@ class BorderFinder {
   }
 
  private:
-  void add(std::uint32_t i, std::uint32_t j) {
+  [[nodiscard]] glm::dvec2 in_plane(std::uint32_t i, std::uint32_t j) const {
     const glm::dvec3 d = samples_.positions[j] - samples_.positions[i];
-    const double x = glm::dot(d, u_);
-    const double y = glm::dot(d, v_);
-    if (x != 0.0 || y != 0.0) angles_.push_back(std::atan2(y, x));
+    return {glm::dot(d, u_), glm::dot(d, v_)};
+  }
+
+  void add(std::uint32_t i, std::uint32_t j) {
+    const glm::dvec2 d = in_plane(i, j);
+    if (d != glm::dvec2(0.0)) angles_.push_back(std::atan2(d.y, d.x));
   }
 
   void add_within(std::uint32_t i, std::uint32_t j, double reach) {
@@ -109,11 +119,10 @@ class BorderFinder {
 /// Whether there are points beyond what looks like a border at a point.
 bool is_gap(const SurfaceSamples& samples, const RadiusSearch& all, std::uint32_t i,
             glm::dvec3 outward) {
-  std::vector<std::uint32_t> found;
-  all.find(samples.positions[i], kWidestStep * samples.spacing[i], found);
   const double gap = kWidestGap * samples.spacing[i];
   const glm::dvec3 normal(samples.normals[i]);
-  return std::ranges::any_of(found, [&](std::uint32_t j) {
+  const double reach = kWidestStep * samples.spacing[i];
+  return all.any(samples.positions[i], reach, [&](std::uint32_t j) {
     const glm::dvec3 d = samples.positions[j] - samples.positions[i];
     const double across = std::abs(glm::dot(d, normal));
     const double within = glm::length(d - glm::dot(d, normal) * normal);
@@ -127,9 +136,8 @@ bool is_gap(const SurfaceSamples& samples, const RadiusSearch& all, std::uint32_
 /// face there is seen edge-on.
 bool is_at_edge(const SurfaceSamples& samples, const RadiusSearch& all, std::uint32_t i,
                 glm::dvec3 outward) {
-  std::vector<std::uint32_t> found;
-  all.find(samples.positions[i], kEmptyReach * samples.spacing[i], found);
-  return std::ranges::any_of(found, [&](std::uint32_t j) {
+  const double reach = kEmptyReach * samples.spacing[i];
+  return all.any(samples.positions[i], reach, [&](std::uint32_t j) {
     return glm::dot(samples.normals[i], samples.normals[j]) < kTurnAtEdge &&
            glm::dot(samples.positions[j] - samples.positions[i], outward) >
                -kNearEdge * samples.spacing[i];
@@ -149,13 +157,18 @@ ScanBorder::ScanBorder(const SurfaceSamples& samples, const NeighbourGraph& grap
                     [&](std::uint32_t i) { outward[i] = finders.local().outward(i); });
   if (std::ranges::none_of(outward, [](const auto& o) { return o.has_value(); })) return;
   const RadiusSearch all(samples.positions);
+  std::vector<std::uint8_t> at_edge(count, 0);
   tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) {
-    if (outward[i] && is_gap(samples, all, i, *outward[i])) outward[i].reset();
+    if (!outward[i]) return;
+    if (is_gap(samples, all, i, *outward[i]))
+      outward[i].reset();
+    else
+      at_edge[i] = is_at_edge(samples, all, i, *outward[i]) ? 1 : 0;
   });
   std::vector<glm::dvec3> positions;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!outward[i]) continue;
-    count_ += is_at_edge(samples, all, i, *outward[i]) ? 0 : 1;
+    count_ += at_edge[i] != 0 ? 0 : 1;
     positions.push_back(samples.positions[i]);
     points_.push_back({samples.positions[i], samples.normals[i], glm::vec3(*outward[i])});
   }

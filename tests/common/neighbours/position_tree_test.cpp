@@ -38,6 +38,21 @@ TEST(PositionTree, HoldsEveryPositionInOneLeaf) {
   EXPECT_EQ(visits, std::vector<int>(positions.size(), 1));
 }
 
+// Sides of large splits are built in parallel, as trees of their own.
+TEST(PositionTree, OfManyPositionsFindsThemAll) {
+  const std::vector<glm::dvec3> positions = random_positions(50'000);
+  const RadiusSearch search(positions);
+  std::vector<std::uint32_t> found;
+  for (const glm::dvec3 centre : {glm::dvec3(0.2), positions[3], glm::dvec3(-0.9, 0.0, 0.4)}) {
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+      if (glm::distance(positions[i], centre) < 0.3) expected.push_back(i);
+    }
+    search.find(centre, 0.3, found);
+    EXPECT_EQ(found, expected);
+  }
+}
+
 TEST(PositionTree, OfNoPositionsHasNoLeaf) {
   const PositionTree tree({});
   EXPECT_EQ(tree.size(), 0U);
@@ -83,6 +98,15 @@ TEST(RadiusSearch, LeavesOutWhatIsAtTheRadius) {
   std::vector<std::uint32_t> found;
   search.find(glm::dvec3(0.0), 2.0, found);
   EXPECT_EQ(found, (std::vector<std::uint32_t>{0, 3}));
+}
+
+TEST(RadiusSearch, EndsWithTheFirstThatIsWanted) {
+  const RadiusSearch search(random_positions(1500));
+  int looked_at = 0;
+  EXPECT_TRUE(search.any(glm::dvec3(0.0), 1.0, [&](std::uint32_t) { return ++looked_at == 3; }));
+  EXPECT_EQ(looked_at, 3);
+  EXPECT_FALSE(search.any(glm::dvec3(0.0), 1.0, [](std::uint32_t) { return false; }));
+  EXPECT_FALSE(search.any(glm::dvec3(3.0), 1.0, [](std::uint32_t) { return true; }));
 }
 
 TEST(RadiusSearch, FindsNothingAmongNoPositions) {
