@@ -28,9 +28,9 @@ Colours colours_of(const LasPoint& point) {
   return largest > 255 ? Colours::Words : largest > 0 ? Colours::Bytes : Colours::None;
 }
 
-Result<LasPoints> open_points(const Source& source, const LasHeader& header) {
-  if (header.is_packed) return open_laz_points(source, header);
-  return open_las_points(source, header);
+Result<LasRecords> open_records(const Source& source, const LasHeader& header) {
+  if (header.is_packed) return open_laz_records(source, header);
+  return open_las_records(source, header);
 }
 
 /// Decides which points are read, and counts the others.
@@ -128,20 +128,20 @@ struct Survey {
 constexpr std::uint64_t kSampledPoints = 200'000;
 
 Result<Survey> survey(const Source& source, const LasHeader& header) {
-  RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
+  RELIEF_TRY_ASSIGN(const auto reader, open_records(source, header));
   Survey found;
   std::vector<glm::dvec3> sample;
   bool several_returns = false;
   PointFilter filter(source.selection(), header.is_wide());
   const std::uint64_t step = header.points / kSampledPoints + 1;
   const bool has_colours = header.colour_at() != 0;
-  LasPoint point;
   for (std::uint64_t i = 0; i < header.points; ++i) {
     if (i % PointSink::kBlockPoints == 0) {
       if (source.progress.cancelled()) return interrupted_error();
       if (source.sink != nullptr) source.sink->pass(reader->offset());
     }
-    RELIEF_TRY(reader->next(point));
+    RELIEF_TRY_ASSIGN(const char* const record, reader->next());
+    const LasPoint point = read_las_point(record, header);
     if (has_colours) found.colours = std::max(found.colours, colours_of(point));
     if (i % step != 0 || !filter.takes(point)) continue;
     sample.push_back(header.offset + header.scale * glm::dvec3(point.steps));
@@ -155,15 +155,9 @@ Result<Survey> survey(const Source& source, const LasHeader& header) {
 
 Result<Points> read_las(const Source& source) {
   RELIEF_TRY_ASSIGN(const auto header, read_las_header(source));
-  if (header.is_packed && source.scalars != nullptr && !source.scalars->empty()) {
-    return make_error(
-        "{}: scalars of packed LAS files cannot be read; unpack it first, with `pdal translate "
-        "IN.laz OUT.las`",
-        source.name);
-  }
   RELIEF_TRY_ASSIGN(const Survey found, survey(source, header));
   const Colours colours = found.colours;
-  RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
+  RELIEF_TRY_ASSIGN(const auto reader, open_records(source, header));
   Points points;
   points.is_airborne = found.is_airborne;
   std::uint64_t given = 0;  // to the sink
@@ -174,23 +168,21 @@ Result<Points> read_las(const Source& source) {
           : header.points;
   points.positions.reserve(capacity);
   if (colours != Colours::None) points.colours.reserve(capacity);
-  const std::vector<LasScalar> scalars =
-      header.is_packed ? std::vector<LasScalar>() : find_las_scalars(source, header);
+  const std::vector<LasScalar> scalars = find_las_scalars(source, header);
   for (const LasScalar& scalar : scalars) points.scalars.push_back({scalar.name, false, {}});
   // The upper byte is right for both scalings of a byte to 16 bits, by 256 and by 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
   PointFilter filter(source.selection(), header.is_wide());
   ReadMeter meter(source);
-  LasPoint point;
   for (std::uint64_t i = 0; i < header.points; ++i) {
     if (!meter.advance_to(reader->offset())) return interrupted_error();
-    RELIEF_TRY(reader->next(point));
+    RELIEF_TRY_ASSIGN(const char* const record, reader->next());
+    const LasPoint point = read_las_point(record, header);
     if (!filter.takes(point)) continue;
     points.positions.push_back(header.offset + header.scale * glm::dvec3(point.steps));
     if (colours != Colours::None)
       points.colours.emplace_back(point.colour.x >> shift, point.colour.y >> shift,
                                   point.colour.z >> shift);
-    const char* const record = source.text.data() + header.body + i * header.stride;
     for (std::size_t k = 0; k < scalars.size(); ++k)
       points.scalars[k].values.push_back(scalars[k].of(record));
     if (source.sink != nullptr && points.size() == PointSink::kBlockPoints) {

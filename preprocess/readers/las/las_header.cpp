@@ -213,6 +213,11 @@ std::size_t LasHeader::standard_bytes() const {
   return kShapes[format].size;
 }
 
+std::size_t LasHeader::time_at() const {
+  if (is_wide()) return 22;
+  return format == 0 || format == 2 ? 0 : 20;
+}
+
 std::size_t LasHeader::colour_at() const {
   return kShapes[format].colour;
 }

@@ -23,6 +23,8 @@ struct LasHeader {
   [[nodiscard]] bool is_wide() const { return format >= 6; }
   /// Bytes of a point without extra bytes.
   [[nodiscard]] std::size_t standard_bytes() const;
+  /// Offset of a point's GPS time; 0: none.
+  [[nodiscard]] std::size_t time_at() const;
   /// Offset of a point's red, green and blue; 0: no colours.
   [[nodiscard]] std::size_t colour_at() const;
 };

@@ -10,21 +10,21 @@ constexpr std::size_t kReturns = 14;
 constexpr std::size_t kFlags = 15;      ///< of formats 0 to 5 with the class
 constexpr std::size_t kWideClass = 16;  ///< of formats 6 to 10
 
-class PlainReader final : public LasPointReader {
+class PlainReader final : public LasRecordReader {
  public:
   PlainReader(const Source& source, const LasHeader& header)
-      : text_(source.text), header_(header), at_(header.body) {}
+      : text_(source.text), stride_(header.stride), at_(header.body) {}
 
-  Status next(LasPoint& point) override {
-    point = read_las_point(text_.data() + at_, header_);
-    at_ += header_.stride;
-    return {};
+  Result<const char*> next() override {
+    const char* const record = text_.data() + at_;
+    at_ += stride_;
+    return record;
   }
   [[nodiscard]] std::size_t offset() const override { return at_; }
 
  private:
   std::string_view text_;
-  LasHeader header_;
+  std::size_t stride_;
   std::size_t at_;
 };
 
@@ -52,7 +52,7 @@ LasPoint read_las_point(const char* record, const LasHeader& header) {
   return point;
 }
 
-LasPoints open_las_points(const Source& source, const LasHeader& header) {
+LasRecords open_las_records(const Source& source, const LasHeader& header) {
   return std::make_unique<PlainReader>(source, header);
 }
 

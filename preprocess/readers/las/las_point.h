@@ -1,4 +1,4 @@
-// One point of a LAS or LAZ file.
+// The points of a LAS or LAZ file.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,7 @@
 
 namespace relief {
 
-/// A decoded point, the same for plain and packed files. A further field of the format becomes a
-/// member here, and a line in read_las_point (las_point.cpp) and in PackedReader (laz.cpp).
+/// A decoded point: what every reading needs of its record.
 struct LasPoint {
   glm::i32vec3 steps{0};   ///< position as integers, see LasHeader
   glm::u16vec3 colour{0};  ///< only if LasHeader::colour_at()
@@ -26,28 +25,30 @@ struct LasPoint {
 /// Decodes a point record. It must have the header's size.
 [[nodiscard]] LasPoint read_las_point(const char* record, const LasHeader& header);
 
-/// The points of a file, one after another.
-class LasPointReader {
+/// The point records of a file, one after another, as a plain file has them: packed files are
+/// unpacked to such records (LAS 1.4 R15, tables 7 to 17).
+class LasRecordReader {
  public:
-  LasPointReader() = default;
-  virtual ~LasPointReader() = default;
-  LasPointReader(const LasPointReader&) = delete;
-  LasPointReader& operator=(const LasPointReader&) = delete;
+  LasRecordReader() = default;
+  virtual ~LasRecordReader() = default;
+  LasRecordReader(const LasRecordReader&) = delete;
+  LasRecordReader& operator=(const LasRecordReader&) = delete;
 
-  /// Reads the next point. Called at most LasHeader::points times.
-  virtual Status next(LasPoint& point) = 0;
+  /// Returns the next record, LasHeader::stride bytes that are valid until the next call. Called at
+  /// most LasHeader::points times.
+  virtual Result<const char*> next() = 0;
   /// Returns the offset in the file up to which bytes have been read.
   [[nodiscard]] virtual std::size_t offset() const = 0;
 };
 
-using LasPoints = std::unique_ptr<LasPointReader>;
+using LasRecords = std::unique_ptr<LasRecordReader>;
 
 /// Begins at the first point of a plain file.
-[[nodiscard]] LasPoints open_las_points(const Source& source, const LasHeader& header);
+[[nodiscard]] LasRecords open_las_records(const Source& source, const LasHeader& header);
 
 /// Begins at the first point of a packed file (LAZ). Fails with one sentence, and always in a build
 /// without LASzip. The header must have been checked.
-Result<LasPoints> open_laz_points(const Source& source, const LasHeader& header);
+Result<LasRecords> open_laz_records(const Source& source, const LasHeader& header);
 
 /// Returns whether this build has LASzip.
 [[nodiscard]] bool can_unpack_laz();

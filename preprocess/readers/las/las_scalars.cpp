@@ -47,9 +47,8 @@ std::vector<LasScalar> standard_scalars(const LasHeader& header) {
            : LasScalar{"scan_angle", 16, NumberType::Int8},
       {"user_data", 17, NumberType::Uint8},
       {"point_source_id", wide ? std::size_t{20} : std::size_t{18}, NumberType::Uint16}};
-  const bool has_time = wide || header.format == 1 || (header.format >= 3 && header.format <= 5);
-  if (has_time)
-    scalars.push_back({"gps_time", wide ? std::size_t{22} : std::size_t{20}, NumberType::Float64});
+  if (const std::size_t at = header.time_at(); at > 0)
+    scalars.push_back({"gps_time", at, NumberType::Float64});
   return scalars;
 }
 

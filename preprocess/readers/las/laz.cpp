@@ -29,7 +29,8 @@ namespace relief {
 #ifdef RELIEF_LASZIP
 namespace {
 
-constexpr std::uint32_t kBatchPoints = 1024;
+/// Records that the child writes at a time take about so much.
+constexpr std::size_t kBatchBytes = 65536;
 constexpr int kWaitMilliseconds = 100;
 /// Memory that LASzip may take beside the file.
 constexpr rlim_t kMostMemory = rlim_t{2} << 30U;
@@ -41,7 +42,11 @@ struct BatchHeader {
   std::uint64_t offset = 0;  ///< bytes of the file that have been read
   std::array<char, 160> text{};
 };
-static_assert(std::is_trivially_copyable_v<LasPoint> && std::is_trivially_copyable_v<BatchHeader>);
+static_assert(std::is_trivially_copyable_v<BatchHeader>);
+
+std::size_t points_of_batch(const LasHeader& header) {
+  return std::max(kBatchBytes / header.stride, std::size_t{1});
+}
 
 /// A file in memory as a stream.
 class TextBuffer final : public std::streambuf {
@@ -66,18 +71,41 @@ class TextBuffer final : public std::streambuf {
   }
 };
 
-LasPoint point_of(const laszip_point_struct& p, bool is_wide) {
-  LasPoint point;
-  point.steps = {p.X, p.Y, p.Z};
-  const unsigned number = is_wide ? p.extended_return_number : p.return_number;
-  const unsigned returns = is_wide ? p.extended_number_of_returns : p.number_of_returns;
-  point.return_number = static_cast<std::uint8_t>(std::max(number, 1U));
-  point.returns = static_cast<std::uint8_t>(std::max(returns, 1U));
-  point.is_withheld =
-      is_wide ? (p.extended_classification_flags & 0x04U) != 0 : p.withheld_flag != 0;
-  point.point_class = is_wide ? p.extended_classification : p.classification;
-  point.colour = {p.rgb[0], p.rgb[1], p.rgb[2]};
-  return point;
+/// Writes a point as the record of a plain file, but for its wave packet. Fields that LASzip counts
+/// in bits are packed as the format has them.
+void write_record(const laszip_point_struct& p, const LasHeader& header, char* record) {
+  std::memset(record, 0, header.stride);
+  const auto put = [record](std::size_t at, auto value) {
+    std::memcpy(record + at, &value, sizeof value);
+  };
+  const auto put_bits = [put](std::size_t at, unsigned bits) {
+    put(at, static_cast<std::uint8_t>(bits));
+  };
+  put(0, p.X);
+  put(4, p.Y);
+  put(8, p.Z);
+  put(12, p.intensity);
+  put(17, p.user_data);
+  const unsigned line = p.scan_direction_flag * 64U + p.edge_of_flight_line * 128U;
+  if (header.is_wide()) {
+    put_bits(14, p.extended_return_number + p.extended_number_of_returns * 16U);
+    put_bits(15, p.extended_classification_flags + p.extended_scanner_channel * 16U + line);
+    put(16, p.extended_classification);
+    put(18, p.extended_scan_angle);
+    put(20, p.point_source_ID);
+  } else {
+    put_bits(14, p.return_number + p.number_of_returns * 8U + line);
+    put_bits(15, p.classification + p.synthetic_flag * 32U + p.keypoint_flag * 64U +
+                     p.withheld_flag * 128U);
+    put(16, p.scan_angle_rank);
+    put(18, p.point_source_ID);
+  }
+  if (const std::size_t at = header.time_at(); at > 0) put(at, p.gps_time);
+  if (const std::size_t at = header.colour_at(); at > 0) std::memcpy(record + at, p.rgb, 6);
+  const std::size_t standard = header.standard_bytes();
+  const auto extra = static_cast<std::size_t>(std::max(p.num_extra_bytes, 0));
+  if (extra > 0 && p.extra_bytes != nullptr)
+    std::memcpy(record + standard, p.extra_bytes, std::min(extra, header.stride - standard));
 }
 
 bool write_all(int pipe, const void* bytes, std::size_t size) {
@@ -100,21 +128,20 @@ void unpack(std::string_view text, const LasHeader& header, int pipe) {
   laszip_point_struct* point = nullptr;
   laszip_BOOL is_packed = 0;
   BatchHeader batch;
-  std::vector<LasPoint> points;
-  points.reserve(kBatchPoints);
+  const std::size_t most = points_of_batch(header);
+  std::vector<char> records(most * header.stride);
   bool good = laszip_create(&laszip) == 0 &&
               laszip_open_reader_stream(laszip, stream, &is_packed) == 0 &&
               laszip_get_point_pointer(laszip, &point) == 0;
   for (std::uint64_t i = 0; good && i < header.points; ++i) {
     good = laszip_read_point(laszip) == 0;
-    if (good) points.push_back(point_of(*point, header.is_wide()));
-    if (points.size() < kBatchPoints && good && i + 1 < header.points) continue;
-    batch.points = static_cast<std::uint32_t>(points.size());
+    if (good) write_record(*point, header, records.data() + batch.points++ * header.stride);
+    if (batch.points < most && good && i + 1 < header.points) continue;
     batch.offset = buffer.position();
     if (batch.points > 0 && (!write_all(pipe, &batch, sizeof batch) ||
-                             !write_all(pipe, points.data(), points.size() * sizeof(LasPoint))))
+                             !write_all(pipe, records.data(), batch.points * header.stride)))
       return;
-    points.clear();
+    batch.points = 0;
   }
   batch.points = 0;
   laszip_CHAR* why = nullptr;
@@ -144,10 +171,10 @@ void confine() {
 /// LASzip trusts its files: damaged ones make it read and write where nothing is (version 3.5.0:
 /// SIGSEGV in LASreadPoint::read for 3 of 1000 lengths that a file was cut to). So it runs in a
 /// child process, whose end is an error of the file, and whose points come through a pipe.
-class PackedReader final : public LasPointReader {
+class PackedReader final : public LasRecordReader {
  public:
   PackedReader(const Source& source, const LasHeader& header)
-      : name_(source.name), progress_(source.progress), count_(header.points) {}
+      : name_(source.name), progress_(source.progress), header_(header) {}
   ~PackedReader() override {
     if (pipe_ >= 0) ::close(pipe_);
     if (child_ <= 0) return;
@@ -156,7 +183,7 @@ class PackedReader final : public LasPointReader {
     }
   }
 
-  Status start(std::string_view text, const LasHeader& header) {
+  Status start(std::string_view text) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
       return make_error("{}: no process can be started to unpack it: {}", name_,
@@ -166,7 +193,7 @@ class PackedReader final : public LasPointReader {
       ::close(ends[0]);
       confine();
       try {
-        unpack(text, header, ends[1]);
+        unpack(text, header_, ends[1]);
       } catch (...) {
         ::_exit(1);
       }
@@ -179,28 +206,28 @@ class PackedReader final : public LasPointReader {
                       std::strerror(errno));
   }
 
-  Status next(LasPoint& point) override {
-    if (at_ == points_.size()) {
+  Result<const char*> next() override {
+    if (at_ == batch_.points) {
       RELIEF_TRY(read_batch());
     }
-    point = points_[at_++];
     ++read_;
-    return {};
+    return records_.data() + at_++ * header_.stride;
   }
 
   [[nodiscard]] std::size_t offset() const override { return batch_.offset; }
 
  private:
   Status read_batch() {
-    points_.clear();
     at_ = 0;
+    batch_.points = 0;
     BatchHeader batch;
     RELIEF_TRY(read_all(&batch, sizeof batch));
+    batch.text.back() = '\0';
     batch_ = batch;
-    batch_.text.back() = '\0';
-    if (batch.points == 0 || batch.points > kBatchPoints) return damaged(batch_.text.data());
-    points_.resize(batch.points);
-    return read_all(points_.data(), points_.size() * sizeof(LasPoint));
+    if (batch.points == 0 || batch.points > points_of_batch(header_))
+      return damaged(batch_.text.data());
+    records_.resize(batch.points * header_.stride);
+    return read_all(records_.data(), records_.size());
   }
 
   Status read_all(void* bytes, std::size_t size) {
@@ -224,33 +251,33 @@ class PackedReader final : public LasPointReader {
     return make_error(
         "{}: byte {}: point {} of {} cannot be unpacked{}{}; the file is truncated or "
         "damaged",
-        name_, batch_.offset, read_ + 1, count_, why.empty() ? "" : ": ", why);
+        name_, batch_.offset, read_ + 1, header_.points, why.empty() ? "" : ": ", why);
   }
 
   std::string name_;
   Progress& progress_;
-  std::uint64_t count_;
+  LasHeader header_;
   pid_t child_ = -1;
   int pipe_ = -1;
   BatchHeader batch_;
-  std::vector<LasPoint> points_;
-  std::size_t at_ = 0;
+  std::vector<char> records_;  // of the batch
+  std::size_t at_ = 0;         // the next of them
   std::uint64_t read_ = 0;
 };
 
 }  // namespace
 
-Result<LasPoints> open_laz_points(const Source& source, const LasHeader& header) {
+Result<LasRecords> open_laz_records(const Source& source, const LasHeader& header) {
   auto reader = std::make_unique<PackedReader>(source, header);
-  RELIEF_TRY(reader->start(source.text, header));
-  return LasPoints(std::move(reader));
+  RELIEF_TRY(reader->start(source.text));
+  return LasRecords(std::move(reader));
 }
 
 bool can_unpack_laz() {
   return true;
 }
 #else
-Result<LasPoints> open_laz_points(const Source& source, const LasHeader& /*header*/) {
+Result<LasRecords> open_laz_records(const Source& source, const LasHeader& /*header*/) {
   return make_error(
       "{}: is packed as LAZ (or COPC, which is LAZ too), which this build cannot read: it was "
       "built "
