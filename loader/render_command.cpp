@@ -43,7 +43,8 @@ bool is_same(const Light& a, const Light& b) {
 }
 
 bool is_same(const Lights& a, const Lights& b) {
-  return a.ambient == b.ambient && a.from_environment == b.from_environment &&
+  return a.ambient == b.ambient && a.highlight == b.highlight &&
+         a.from_environment == b.from_environment &&
          std::ranges::equal(a.list, b.list,
                             [](const Light& x, const Light& y) { return is_same(x, y); });
 }

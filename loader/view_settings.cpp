@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "common/scene/first_lights.h"
 #include "common/scene/view_camera.h"
 #include "renderer/shading/materials.h"
 #include "shaders/include/shared.h"
@@ -54,6 +55,15 @@ void light_by_environment(const SceneSettings& planned, RenderSettings& settings
   for (MaterialSettings& material : settings.materials) {
     if (material.kind == Material::Lit) material.constants.roughness = shared::kLitRoughness;
   }
+}
+
+/// Whether lights depend on the model: one surface, and nothing that the plan says of them. Grids
+/// and Gaussians are lit from the camera.
+bool has_first_lights(const ScenePlan& plan, const PlannedView& view,
+                      const RenderSettings& settings, std::span<const EngineEntry> among) {
+  const auto engine = engine_of(view, among);
+  return plan.models.size() == 1 && !view.settings.lights && !settings.lights.from_environment &&
+         engine && (*engine)->surfaces_by.empty();
 }
 
 /// The views, or the frames of the film.
@@ -108,6 +118,10 @@ Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedVi
   if (!camera) return in_view(plan, view, camera.error());
   RELIEF_TRY_ASSIGN(RenderSettings settings, look_of(plan, view, among));
   settings.camera = *camera;
+  if (has_first_lights(plan, view, settings, among)) {
+    settings.lights = first_lights(view.settings, extent);
+    settings.lights.ambient = view.settings.ambient.value_or(settings.lights.ambient);
+  }
   return settings;
 }
 

@@ -67,7 +67,8 @@ void add_light_options(CLI::App& sub, SceneSettings& settings) {
            }
          },
          "Light on lit models, once for each, up to 16: the direction toward it, or point: and its "
-         "position, then its linear colour (default: three lights fixed to the camera; white)")
+         "position, then its linear colour (default: three lights fixed to the camera, "
+         "on terrain a sun in the west-north-west; white)")
       ->take_all()
       ->allow_extra_args(false)
       ->option_text("[point:]X,Y,Z[,R,G,B]");

@@ -33,6 +33,7 @@ inline constexpr double kMaxPointLight = 1e12;
 struct Lights {
   std::vector<Light> list;   ///< at most kMaxLights; empty: three lights fixed to the camera
   glm::vec3 ambient{0.06F};  ///< linear, from all directions
+  float highlight = 0.25F;   ///< that a lit surface shows of each light, a share of it
   /// The environment gives light, too, and there are no lights fixed to the camera.
   bool from_environment = false;
 };

@@ -70,18 +70,23 @@ Result<Camera> camera_at_eye(const SceneSettings& settings, const PatchModel& mo
 Orbit first_orbit(const SceneSettings& settings, const PatchModel& model) {
   const Stance stance = stance_of(settings.up, model.stance);
   if (stance.is_from_sensor) return {};
-  const glm::dvec3 side = glm::cross(stance.up, stance.front);
+  return is_flat(model, stance) ? kFlatOrbit : kBodyOrbit;
+}
+
+}  // namespace
+
+bool is_flat(const PatchModel& model, const Stance& stance) {
+  if (stance.is_from_sensor) return false;
   const std::vector<glm::dvec3> points = points_to_frame(model);
   const auto length_along = [&points](const glm::dvec3& axis) {
     const auto [low, high] =
         std::ranges::minmax(points, {}, [&axis](const glm::dvec3& p) { return glm::dot(p, axis); });
     return glm::dot(high - low, axis);
   };
+  const glm::dvec3 side = glm::cross(stance.up, stance.front);
   const double level = std::min(length_along(side), length_along(stance.front));
-  return length_along(stance.up) <= kFlat * level ? kFlatOrbit : kBodyOrbit;
+  return length_along(stance.up) <= kFlat * level;
 }
-
-}  // namespace
 
 std::vector<glm::dvec3> points_to_frame(const PatchModel& model) {
   if (!model.extremes.empty()) return model.extremes;

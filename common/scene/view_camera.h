@@ -22,6 +22,10 @@ namespace relief {
 /// last. Fails, with a clause, if the eye is where it looks.
 Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model);
 
+/// Whether a model lies flat, as terrain does: it is far wider and deeper than high. Never what is
+/// seen from one sensor.
+[[nodiscard]] bool is_flat(const PatchModel& model, const Stance& stance);
+
 /// The points of a model that an image shows whole: its extreme points, or without those the
 /// corners of its bounds, or the origin. Not empty.
 [[nodiscard]] std::vector<glm::dvec3> points_to_frame(const PatchModel& model);

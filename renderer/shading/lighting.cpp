@@ -45,7 +45,7 @@ int count_lights(const Lights& lights) {
 
 void set_lights(shared::Frame& frame, const View& view, const Lights& lights) {
   assert(lights.list.size() <= kMaxLights && "no more lights than a frame has room for");
-  frame.light_ambient = glm::vec4(lights.ambient, 0.0F);
+  frame.light_ambient = glm::vec4(lights.ambient, lights.highlight);
   if (has_camera_lights(lights)) set_camera_lights(frame, view);
   for (std::size_t i = 0; i < lights.list.size(); ++i) {
     const Light& light = lights.list[i];

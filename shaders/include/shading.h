@@ -48,12 +48,11 @@ RELIEF_FUNCTION vec3 facing_normal(vec3 normal, vec3 ray) {
 }
 
 #if RELIEF_SHADES_LIT
-/// Phong: the frame's first `lights` lights, a white highlight. `position`: from the eye, world;
-/// only point lights ask for it.
+/// Phong: the frame's first `lights` lights, a white highlight (light_ambient.w of each light).
+/// `position`: from the eye, world; only point lights ask for it.
 RELIEF_FUNCTION vec3 lit(Frame frame, int lights, vec3 albedo, vec3 normal, vec3 ray,
                          vec3 position) {
   const float shininess = 40.0f;
-  const float highlight = 0.25f;
   vec3 reflected = reflect(ray, normal);
   vec3 diffuse = vec3(frame.light_ambient);
   vec3 specular = vec3(0.0f);
@@ -71,7 +70,7 @@ RELIEF_FUNCTION vec3 lit(Frame frame, int lights, vec3 albedo, vec3 normal, vec3
     diffuse += colour * max(dot(normal, direction), 0.0f);
     specular += colour * pow(max(dot(reflected, direction), 1e-6f), shininess);
   }
-  return albedo * diffuse + highlight * specular;
+  return albedo * diffuse + frame.light_ambient.w * specular;
 }
 #endif
 

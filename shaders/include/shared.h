@@ -502,8 +502,8 @@ struct Frame {
   /// from near on (world units), else 0. The rays' positions in the plane through the eye, relative
   /// to that, are then what ray_origin, ray_x and ray_y say.
   vec4 ray_along;
-  vec4 viewport;  ///< width, height, 1/width, 1/height (pixels)
-  vec4 light_ambient;
+  vec4 viewport;                    ///< width, height, 1/width, 1/height (pixels)
+  vec4 light_ambient;               ///< w: how much of each light a highlight shows
   vec4 light_position[kMaxLights];  ///< world; w 0: toward the light, 1: where it is from the eye
   vec4 light_colour[kMaxLights];
   vec4 irradiance[9];     ///< of the environment, in spherical harmonics (irradiance.h)

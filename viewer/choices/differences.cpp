@@ -23,10 +23,11 @@ std::string environment_of(const RenderSettings& drawn) {
   return drawn.environment.empty() ? "built-in" : drawn.environment.stem().string();
 }
 
-std::string lights_of(const RenderSettings& drawn) {
-  if (drawn.lights.from_environment)
-    return drawn.lights.list.empty() ? "environment" : "environment and own";
-  return drawn.lights.list.empty() ? "camera" : "own";
+std::string lights_of(const LookInForce& look) {
+  const bool is_own = look.asked.lights.has_value();
+  if (look.drawn.lights.from_environment) return is_own ? "environment and own" : "environment";
+  if (is_own) return "own";
+  return look.drawn.lights.list.empty() ? "camera" : "sun";
 }
 
 std::string background_of(const RenderSettings& drawn) {
@@ -89,7 +90,7 @@ void add_engines(const RenderSettings& a, const RenderSettings& b, Collector& fo
 
 /// What follows from an environment alone goes without saying.
 void add_lights(const LookInForce& a, const LookInForce& b, Collector& found) {
-  if (a.asked.lights || b.asked.lights) found.add("light", lights_of(a.drawn), lights_of(b.drawn));
+  if (a.asked.lights || b.asked.lights) found.add("light", lights_of(a), lights_of(b));
   if (a.asked.ambient || b.asked.ambient)
     found.add("ambient", a.drawn.lights.ambient.g, b.drawn.lights.ambient.g);
 }

@@ -94,12 +94,15 @@ bool key_rows(const Stance& stance, Light& light) {
 
 bool light_rows(const RenderSettings& drawn, const Stance& stance, SceneSettings& look) {
   const bool from_environment = drawn.lights.from_environment;
+  const bool is_sun = !look.lights && !drawn.lights.list.empty();
   const std::vector<std::string> names{
-      from_environment ? "Environment" : "At the camera",
+      from_environment ? "Environment" : (is_sun ? "Sun" : "At the camera"),
       from_environment ? "Environment and key light" : "Key light"};
   const auto chosen = choice_row(
-      "Lights", "At the camera: a key light, a fill light and a rim light that follow it", names,
-      look.lights ? 1U : 0U);
+      "Lights",
+      "At the camera: a key light, a fill light and a rim light that follow it. Sun: from the "
+      "west-north-west, over terrain",
+      names, look.lights ? 1U : 0U);
   if (chosen == 0U) look.lights.reset();
   if (chosen == 1U) look.lights = std::vector<Light>{light_of({}, stance)};
   bool changes = chosen.has_value();

@@ -16,7 +16,7 @@ Lighting one_light(Material material) {
   Lighting lighting{{}, 1, {{{material, {}}, nullptr}}};
   lighting.frame.light_position[0] = {0.0F, 0.0F, 1.0F, 0.0F};
   lighting.frame.light_colour[0] = {1.0F, 0.5F, 0.25F, 0.0F};
-  lighting.frame.light_ambient = {0.1F, 0.1F, 0.1F, 0.0F};
+  lighting.frame.light_ambient = {0.1F, 0.1F, 0.1F, 0.25F};
   return lighting;
 }
 
