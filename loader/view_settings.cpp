@@ -118,10 +118,8 @@ Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedVi
   if (!camera) return in_view(plan, view, camera.error());
   RELIEF_TRY_ASSIGN(RenderSettings settings, look_of(plan, view, among));
   settings.camera = *camera;
-  if (has_first_lights(plan, view, settings, among)) {
+  if (has_first_lights(plan, view, settings, among))
     settings.lights = first_lights(view.settings, extent);
-    settings.lights.ambient = view.settings.ambient.value_or(settings.lights.ambient);
-  }
   return settings;
 }
 

@@ -75,7 +75,7 @@ void add_light_options(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
          "--ambient", [&](const std::string& s) { settings.ambient = parse_ambient(s); },
          "Light on lit models from all directions, linear, each 0 to 1000 (default "
-         "0.06,0.06,0.06; 0,0,0 with --env)")
+         "0.06,0.06,0.06; 0.045,0.05,0.06 on terrain; 0,0,0 with --env)")
       ->option_text("R,G,B");
 }
 

@@ -114,10 +114,6 @@ std::vector<glm::vec3> linear_colours(const PatchPoints& points,
 
 }  // namespace
 
-struct ColourInterpolation::Metric {
-  glm::dmat2 frame{1.0};  ///< of offsets on the base plane, in spacings
-};
-
 ColourInterpolation::ColourInterpolation(const PatchPoints& points, const PointGrid& lookup,
                                          const std::vector<glm::u8vec3>& colours)
     : ColourInterpolation(points, lookup, linear_colours(points, colours)) {}
@@ -158,8 +154,7 @@ ColourInterpolation::Tensor ColourInterpolation::gradient_at(std::uint32_t point
          (scale * scale);
 }
 
-ColourInterpolation::Metric ColourInterpolation::metric_at(double x, double y,
-                                                           std::uint32_t nearest) const {
+glm::dmat2 ColourInterpolation::metric_at(double x, double y, std::uint32_t nearest) const {
   const double spacing = points_.spacing[nearest];
   const double scale = kTensorScale * spacing;
   Tensor sum(0.0);
@@ -170,7 +165,7 @@ ColourInterpolation::Metric ColourInterpolation::metric_at(double x, double y,
     weights += weight;
   });
   const glm::dmat2 surface = along_surface(points_.normals[nearest]) / spacing;
-  if (weights <= 0.0) return {surface};
+  if (weights <= 0.0) return surface;
   const glm::dmat2 gradients = glm::dmat2(sum.x, sum.y, sum.y, sum.z) / weights;
   const glm::dmat2 back = glm::inverse(surface);  // symmetric
   const glm::dmat2 tensor = back * gradients * back;
@@ -180,21 +175,21 @@ ColourInterpolation::Metric ColourInterpolation::metric_at(double x, double y,
   const double across = mean + reach + kNoise * kNoise;
   const double along = std::max(mean - reach, 0.0) + kNoise * kNoise;
   const double steering = std::min(kMaxSteering, std::sqrt(std::sqrt(across / along)));
-  if (!(reach > 0.0)) return {surface};
+  if (!(reach > 0.0)) return surface;
   // The square of the direction across the edge, by the half angle.
   const glm::dmat2 edge =
       glm::dmat2(0.5) + glm::dmat2(half, tensor[0][1], tensor[0][1], -half) * (0.5 / reach);
   const glm::dmat2 steered = glm::dmat2(1.0 / steering) + (steering - 1.0 / steering) * edge;
-  return {steered * surface};
+  return steered * surface;
 }
 
 glm::vec3 ColourInterpolation::at(double x, double y, std::uint32_t nearest) const {
-  const Metric metric = metric_at(x, y, nearest);
+  const glm::dmat2 metric = metric_at(x, y, nearest);
   const glm::dvec2 position(x, y);
   const double to_nearest = glm::length(glm::dvec2(points_.positions[nearest]) - position);
   const double reach = std::max(kReach * points_.spacing[nearest], 2.0 * to_nearest);
   const auto offset_of = [&](std::uint32_t p) {
-    return metric.frame * (glm::dvec2(points_.positions[p]) - position);
+    return metric * (glm::dvec2(points_.positions[p]) - position);
   };
   NearestPoints around;
   lookup_.for_each_within(x, y, reach, [&](std::uint32_t p, double /*square*/) {

@@ -33,11 +33,11 @@ class ColourInterpolation {
   /// Sum over the channels of the products of a gradient's components: along x, mixed, along y. Per
   /// squared unit on the base plane.
   using Tensor = glm::dvec3;
-  /// Distances across and along an edge, for offsets on the base plane.
-  struct Metric;
 
   [[nodiscard]] Tensor gradient_at(std::uint32_t point) const;
-  [[nodiscard]] Metric metric_at(double x, double y, std::uint32_t nearest) const;
+  /// Maps offsets on the base plane to where distances are longer across an edge of the colours
+  /// than along it, in spacings.
+  [[nodiscard]] glm::dmat2 metric_at(double x, double y, std::uint32_t nearest) const;
 
   const PatchPoints& points_;
   const PointGrid& lookup_;

@@ -5,16 +5,13 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "common/scene/standing_direction.h"
+
 namespace relief {
 
 Light light_of(const KeyLight& key, const Stance& stance) {
-  const double azimuth = glm::radians(key.azimuth_degrees);
-  const double elevation = glm::radians(key.elevation_degrees);
-  const glm::dvec3 right = glm::cross(stance.up, stance.front);
   Light light;
-  light.position =
-      std::cos(elevation) * (std::cos(azimuth) * stance.front + std::sin(azimuth) * right) +
-      std::sin(elevation) * stance.up;
+  light.position = standing_direction(stance, key.azimuth_degrees, key.elevation_degrees);
   light.colour = glm::vec3(key.intensity);
   return light;
 }

@@ -111,8 +111,9 @@ bool light_rows(const RenderSettings& drawn, const Stance& stance, SceneSettings
   if (is_key) changes |= key_rows(stance, look.lights->front());
   std::optional<double> ambient;
   if (look.ambient) ambient = look.ambient->g;
+  const double usual = from_environment ? 0.0 : double{Lights().ambient.g};
   if (number_row({"Ambient", "Light from all directions", kAmbients,
-                  from_environment ? 0.0 : double{Lights().ambient.g}, "%.2f"},
+                  look.ambient ? usual : double{drawn.lights.ambient.g}, "%.2f"},
                  ambient)) {
     look.ambient.reset();
     if (ambient) look.ambient = glm::vec3(static_cast<float>(*ambient));

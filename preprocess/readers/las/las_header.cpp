@@ -9,14 +9,16 @@
 namespace relief {
 namespace {
 
-/// Bytes of a point and the offset of its colour, by point record format (LAS 1.4 R15, tables 7 to
-/// 17).
+/// Bytes of a point and the offsets of its GPS time and colour, by point record format (LAS 1.4
+/// R15, tables 7 to 17).
 struct RecordShape {
   std::size_t size;
+  std::size_t time;
   std::size_t colour;
 };
-constexpr RecordShape kShapes[] = {{20, 0}, {28, 0},  {26, 20}, {34, 28}, {57, 0}, {63, 28},
-                                   {30, 0}, {36, 30}, {38, 30}, {59, 0},  {67, 30}};
+constexpr RecordShape kShapes[] = {{20, 0, 0},   {28, 20, 0},  {26, 0, 20}, {34, 20, 28},
+                                   {57, 20, 0},  {63, 20, 28}, {30, 22, 0}, {36, 22, 30},
+                                   {38, 22, 30}, {59, 22, 0},  {67, 22, 30}};
 constexpr std::uint32_t kFormats = std::size(kShapes);
 
 /// Offsets in the header (LAS 1.4 R15, table 3).
@@ -214,8 +216,7 @@ std::size_t LasHeader::standard_bytes() const {
 }
 
 std::size_t LasHeader::time_at() const {
-  if (is_wide()) return 22;
-  return format == 0 || format == 2 ? 0 : 20;
+  return kShapes[format].time;
 }
 
 std::size_t LasHeader::colour_at() const {

@@ -72,6 +72,32 @@ TEST(Neighbours, SpacingIsTheDistanceBetweenSamples) {
   EXPECT_NEAR(sum / static_cast<double>(inner), kStep, 0.12 * kStep);
 }
 
+/// Drops every `step`-th of so many points; the graph of what is left is that of a new search.
+void expect_as_searched(int count, std::size_t step) {
+  const std::vector<glm::dvec3> all = test::sample_sphere(count).positions;
+  std::vector<std::uint8_t> dropped(all.size(), 0);
+  std::vector<glm::dvec3> left;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    dropped[i] = i % step == 0 ? 1 : 0;
+    if (dropped[i] == 0) left.push_back(all[i]);
+  }
+  const NeighbourGraph graph =
+      neighbours_after_drop(find_neighbours(all, kSurfaceNeighbours), dropped, left);
+  const NeighbourGraph searched = find_neighbours(left, kSurfaceNeighbours);
+  EXPECT_EQ(graph.k, searched.k);
+  EXPECT_EQ(graph.indices, searched.indices);
+  EXPECT_EQ(graph.spacing, searched.spacing);
+}
+
+TEST(NeighboursAfterDrop, AreThoseOfANewSearch) {
+  expect_as_searched(3000, 100);
+  expect_as_searched(3000, 2);
+}
+
+TEST(NeighboursAfterDrop, OfFewPointsAreFewer) {
+  expect_as_searched(20, 2);
+}
+
 TEST(PointRadii, FollowTheSpacingAndKeepOutliersSmall) {
   constexpr double kStep = 0.02;
   Points points = test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; });

@@ -90,4 +90,31 @@ inline std::string las_file(const LasFile& f) {
   return out;
 }
 
+/// The description of an extra-bytes field (LAS 1.4 R15, table 24).
+inline std::string described(const std::string& name, std::uint8_t type, std::uint8_t options = 0,
+                             double scale = 0, double offset = 0, std::int64_t no_data = 0) {
+  std::string out = pack(std::uint16_t{0}, type, options) + name;
+  out.resize(40, '\0');
+  out += pack(no_data);
+  out.resize(112, '\0');
+  out += pack(scale);
+  out.resize(136, '\0');
+  out += pack(offset);
+  out.resize(192, '\0');
+  return out;
+}
+
+/// A whole file whose only variable length record is an extra-bytes record. Of formats 0 to 5:
+/// those from 6 on state where their points end, which this does not move.
+inline std::string las_file_with_record(LasFile file, const std::string& record) {
+  file.records = 1;
+  std::string bytes = las_file(file);
+  const std::size_t at = las_header_size(file.minor);
+  const std::string vlr = pack(std::uint16_t{0}) + std::string("LASF_Spec\0\0\0\0\0\0\0", 16) +
+                          pack(std::uint16_t{4}, static_cast<std::uint16_t>(record.size())) +
+                          std::string(32, 'd') + record;
+  bytes.replace(at, 59, vlr);
+  return bytes.replace(96, 4, pack(static_cast<std::uint32_t>(at + vlr.size())));
+}
+
 }  // namespace relief::test

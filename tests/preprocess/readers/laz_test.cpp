@@ -86,24 +86,11 @@ Result<ReadResult> read_with_scalars(const std::string& name, const std::string&
   return read_bytes(name, {begin, begin + bytes.size()}, progress, {.scalars = {true, {}}});
 }
 
-/// Describes 6 extra bytes of a point as three numbers of 16 bits (LAS 1.4 R15, table 24).
+/// With 6 extra bytes a point, three numbers of 16 bits.
 std::string with_extra_bytes(LasFile file) {
-  std::string record;
-  for (const std::string name : {"first", "second", "third"}) {
-    std::string one = pack(std::uint16_t{0}, std::uint8_t{3}, std::uint8_t{0}) + name;
-    one.resize(192, '\0');
-    record += one;
-  }
   file.extra_bytes = 6;
-  file.records = 1;
-  std::string bytes = las_file(file);
-  const std::size_t at = las_header_size(file.minor);
-  const std::string vlr = pack(std::uint16_t{0}) + std::string("LASF_Spec\0\0\0\0\0\0\0", 16) +
-                          pack(std::uint16_t{4}, static_cast<std::uint16_t>(record.size())) +
-                          std::string(32, 'd') + record;
-  bytes.replace(at, 59, vlr);
-  bytes.replace(96, 4, pack(static_cast<std::uint32_t>(at + vlr.size())));
-  return bytes;
+  return las_file_with_record(
+      std::move(file), described("first", 3) + described("second", 3) + described("third", 3));
 }
 
 TEST(LazTest, ScalarsAreThoseOfThePlainFile) {

@@ -38,6 +38,7 @@ const PointScalar& named(const std::vector<PointScalar>& scalars, const std::str
   return none;
 }
 
+using test::described;
 using Values = std::vector<double>;
 
 const std::string kPly =
@@ -162,31 +163,10 @@ TEST(ScalarsOfLas, AreThoseOfEachPointRecordFormat) {
 }
 
 /// The description of one number among a point's extra bytes.
-std::string described(const std::string& name, std::uint8_t type, std::uint8_t options = 0,
-                      double scale = 0, double offset = 0, std::int64_t no_data = 0) {
-  std::string out = test::pack(std::uint16_t{0}, type, options) + name;
-  out.resize(40, '\0');
-  out += test::pack(no_data);
-  out.resize(112, '\0');
-  out += test::pack(scale);
-  out.resize(136, '\0');
-  out += test::pack(offset);
-  out.resize(192, '\0');
-  return out;
-}
-
-/// A LAS file whose only variable length record describes its extra bytes.
+/// Two points with extra bytes, and their record.
 std::string with_record(const std::string& record, std::uint16_t extra_bytes) {
-  std::string file = test::las_file(
-      {.format = 0, .extra_bytes = extra_bytes, .records = 1, .points = {{}, {{100, 0, 0}}}});
-  const std::size_t at = test::las_header_size(2);
-  const std::string vlr = test::pack(std::uint16_t{0}) +
-                          std::string("LASF_Spec\0\0\0\0\0\0\0", 16) +
-                          test::pack(std::uint16_t{4}, static_cast<std::uint16_t>(record.size())) +
-                          std::string(32, 'd') + record;
-  file.replace(at, 59, vlr);
-  const std::string body = test::pack(static_cast<std::uint32_t>(at + vlr.size()));
-  return file.replace(96, 4, body);
+  return test::las_file_with_record(
+      {.format = 0, .extra_bytes = extra_bytes, .points = {{}, {{100, 0, 0}}}}, record);
 }
 
 TEST(ExtraBytesOfLas, AreReadAsTheirRecordDescribesThem) {
