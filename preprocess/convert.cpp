@@ -27,6 +27,7 @@
 #include "preprocess/points/densify.h"
 #include "preprocess/points/even_out.h"
 #include "preprocess/resample/scalars.h"
+#include "preprocess/resample/spacing/patch_spacing.h"
 #include "preprocess/sample_search.h"
 #include "preprocess/texture/files/load_textures.h"
 #include "preprocess/texture/maps/flat_triangles.h"
@@ -257,7 +258,9 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
                    meeting.creases ? &*meeting.creases : nullptr, progress);
   if (progress.cancelled()) return interrupted_error();
 
-  if (options.adaptive_spacing) regions = split_by_density(samples, graph, std::move(regions));
+  const bool follows_density = options.adaptive_spacing.value_or(
+      mesh.triangles.empty() && !(options.spacing > 0.0) && is_uneven(samples, regions));
+  if (follows_density) regions = split_by_density(samples, graph, std::move(regions));
   const std::vector<ScalarInfo> scalars = describe_scalars(points.scalars);
   const PartitionedScan scan{.unit = unit,
                              .points = points,
@@ -272,6 +275,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
                              .creases = meeting.creases ? &*meeting.creases : nullptr,
                              .border = meeting.border.get(),
                              .spheres = mesh.triangles.empty() ? nullptr : &in_time.spheres(),
+                             .follows_density = follows_density,
                              .textured = textured,
                              .is_borderless = in_time.is_borderless() || meeting.is_closed,
                              .normals = source_of_normals(normals, clean)};

@@ -41,8 +41,10 @@ struct ConvertOptions {
   int overlap_cells = 1;     ///< width of the overlap margin, in grid cells
   double height_step = 0.0;  ///< world units per height index; 0: by steps_per_spacing
   double steps_per_spacing = kUsualStepsPerSpacing;  ///< height indices in a patch's spacing
-  bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's local density, up to
-                                  ///< 8 to 1; `spacing` is then the typical one
+  /// Whether each patch's spacing follows the density of its points; `spacing` is then that at the
+  /// median density. If not, patches have one spacing. By default it does if the scan has no faces,
+  /// its density varies (is_uneven), and no spacing is given; patches of faces follow their shape.
+  std::optional<bool> adaptive_spacing;
   int colour_scale = 2;    ///< texels per grid cell along each side, of the colours and scalars of
                            ///< points
   bool distances = false;  ///< add the scalar `distance` (add_distances). The points' own scalars

@@ -17,12 +17,16 @@
 namespace relief {
 namespace {
 
-// The area of all regions, estimated from their points' local spacings.
-double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples) {
+/// The area of all regions, estimated from their points' local spacings. Each region's is divided
+/// by its factor squared, so that a cell of its grid counts as one of the model's spacing.
+double area_of(const std::vector<Region>& regions, const std::vector<double>& factors,
+               const SurfaceSamples& samples) {
   double area = 0.0;
-  for (const Region& region : regions) {
-    for (const std::uint32_t i : region.points)
-      area += double{samples.spacing[i]} * samples.spacing[i];
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    double own = 0.0;
+    for (const std::uint32_t i : regions[r].points)
+      own += double{samples.spacing[i]} * samples.spacing[i];
+    area += own / (factors[r] * factors[r]);
   }
   return area;
 }
@@ -33,9 +37,10 @@ SampleBudget budget_of(const PartitionedScan& scan, const ConvertOptions& option
   const bool seams = scan.creases != nullptr;
   const double fewest = samples.value_or(usual_samples(scan.measured, seams));
   SampleBudget budget{std::vector<double>(scan.regions.size(), 1.0), fewest};
-  if (options.adaptive_spacing) {
+  if (scan.follows_density) {
     budget.factors = spacing_factors(scan.samples, scan.regions);
-  } else if (seams && scan.spheres != nullptr && !(options.spacing > 0.0)) {
+  } else if (!options.adaptive_spacing && seams && scan.spheres != nullptr &&
+             !(options.spacing > 0.0)) {
     const double most = samples.value_or(kMostSamplesPerPoint * static_cast<double>(scan.measured));
     budget = share_samples(scan.samples, scan.regions, scan.creases->at_crease, {fewest, most});
   }
@@ -93,7 +98,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
                              ? options.spacing
                              : choose_spacing(scan.samples, scan.graph, scan.regions,
                                               budget.factors, budget.samples, seams);
-  const double area = area_of(scan.regions, scan.samples);
+  const double area = area_of(scan.regions, budget.factors, scan.samples);
   RELIEF_TRY(check_spacing(spacing * scan.unit, area * scan.unit * scan.unit, scan.points.size()));
   const Membership membership = membership_of(scan.samples, scan.regions);
   std::vector<Region> regions = scan.regions;
@@ -108,6 +113,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
        .scalars = scan.points.scalars,
        .scalar_infos = scan.scalars,
        .border = scan.border,
+       .follows_density = scan.follows_density,
        .is_cut_later = scan.sides != nullptr,
        .fits = &fits},
       budget.factors, resample_options(options, seams, spacing, scan.normals), regions, progress);

@@ -34,6 +34,7 @@ struct PartitionedScan {
   const CreaseNormals* creases = nullptr;    ///< none: patches overlap
   const ScanBorder* border = nullptr;        ///< if it is known, for patches that overlap
   const TriangleSpheres* spheres = nullptr;  ///< of the mesh; none without triangles
+  bool follows_density = false;              ///< each patch's spacing does
   bool textured = false;                     ///< its triangles have materials
   bool is_borderless = false;                ///< the mesh, or the points
   NormalSource normals = NormalSource::Fits;

@@ -77,10 +77,16 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
       ->check(number_from(kFewestStepsPerSpacing, kMostStepsPerSpacing))
       ->excludes(step)
       ->option_text("N");
-  sub.add_flag(
-      "--adaptive-spacing", arguments.options.adaptive_spacing,
-      "Fit each patch's spacing to the local density of points, up to 8 to 1; --spacing is "
-      "then that of the median density");
+  CLI::Option* const adaptive = sub.add_flag_callback(
+      "--adaptive-spacing", [&arguments] { arguments.options.adaptive_spacing = true; },
+      "Fit each patch's spacing to the density of its points; --spacing is then that of the median "
+      "density (default for points without faces whose density varies, except with --spacing and "
+      "--memory)");
+  sub.add_flag_callback(
+         "--even-spacing", [&arguments] { arguments.options.adaptive_spacing = false; },
+         "Give all patches one spacing (default for points without faces, unless their density "
+         "varies)")
+      ->excludes(adaptive);
   sub.add_option(
          "--cone-degrees", arguments.options.cone_degrees,
          "Largest angle between the normal of a patch and of its points, in degrees, 1 to 89; "

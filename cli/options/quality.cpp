@@ -19,8 +19,7 @@ double number_in(const OptionValue& value) {
 
 /// The options that say what the one of `key` says, so that any of them stands in its place.
 std::vector<std::string> rivals_of(const std::string& key) {
-  if (key == "samples-per-point")
-    return {"samples-per-point", "spacing", "samples", "error", "adaptive-spacing"};
+  if (key == "samples-per-point") return {"samples-per-point", "spacing", "samples", "error"};
   if (key == "steps-per-spacing") return {"steps-per-spacing", "height-step"};
   return {key};
 }

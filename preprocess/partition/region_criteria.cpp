@@ -34,11 +34,12 @@ std::int32_t floor_to_int(double value) {
 
 }  // namespace
 
-bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j) {
+bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j,
+                  float least_spacing) {
   if (!(glm::dot(samples.normals[i], samples.normals[j]) > 0.0F)) return false;
   // The finer of both densities decides: an outlier's own would allow any distance.
   const double rough = std::min(samples.roughness[i], samples.roughness[j]);
-  const double spacing = std::min(samples.spacing[i], samples.spacing[j]);
+  const double spacing = std::max(least_spacing, std::min(samples.spacing[i], samples.spacing[j]));
   const glm::dvec3 hop = samples.positions[j] - samples.positions[i];
   const glm::dvec3 mean(glm::normalize(samples.normals[i] + samples.normals[j]));
   return glm::length(hop) <= kLongestHop * spacing &&

@@ -28,8 +28,10 @@ struct SurfaceSamples {
 inline constexpr double kSheetTolerance = 1.1;
 
 /// Returns whether two neighbouring points are on one sheet: similar normals, and each near the
-/// other's tangent plane. Connects regions, and separates close sheets.
-[[nodiscard]] bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j);
+/// other's tangent plane. Connects regions, and separates close sheets. `least_spacing`: that the
+/// scan there is known to have at least, world units.
+[[nodiscard]] bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j,
+                                float least_spacing = 0.0F);
 
 /// The scale at which sheets in a set of points are distinguished.
 struct SheetScale {

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <utility>
+
+#include "preprocess/partition/spacing_range.h"
 
 namespace relief {
 namespace {
@@ -16,7 +17,7 @@ constexpr std::uint32_t kNoBand = 0xFFFFFFFFU;
 
 /// Bands of spacing, each at most kWidestDensityRatio wide.
 struct Bands {
-  double narrowest = 0.0;  ///< logarithm of the spacing that a tenth of the area falls below
+  double narrowest = 0.0;  ///< logarithm of the spacing of the dense part
   double width = 0.0;      ///< of a band, in the logarithm
   std::uint32_t count = 1;
 
@@ -26,31 +27,16 @@ struct Bands {
   }
 };
 
-/// The spacing that this share of the area falls below. `spacings`: ascending.
-double quantile_of_area(const std::vector<float>& spacings, double share) {
-  double area = 0.0;
-  for (const float s : spacings) area += double{s} * s;
-  double below = 0.0;
-  for (const float s : spacings) {
-    below += double{s} * s;
-    if (below >= share * area) return s;
-  }
-  return spacings.back();
-}
-
 Bands bands_of(const SurfaceSamples& samples, const Region& region) {
   std::vector<float> spacings;
   spacings.reserve(region.points.size());
   for (const std::uint32_t i : region.points) spacings.push_back(samples.spacing[i]);
-  std::sort(spacings.begin(), spacings.end());
-  const double dense = quantile_of_area(spacings, 0.1);
-  const double sparse = quantile_of_area(spacings, 0.9);
-  if (spacings.size() < 2 * kFewestPiecePoints || !(dense > 0.0) ||
-      sparse <= kWidestDensityRatio * dense)
+  const SpacingRange range = spacing_range(std::move(spacings));
+  if (region.points.size() < 2 * kFewestPiecePoints || range.ratio() <= kWidestDensityRatio)
     return {};
-  const double range = std::log(sparse / dense);
-  const double count = std::ceil(range / std::log(kWidestDensityRatio));
-  return {std::log(dense), range / count, static_cast<std::uint32_t>(count)};
+  const double width = std::log(range.ratio());
+  const double count = std::ceil(width / std::log(kWidestDensityRatio));
+  return {std::log(double{range.dense}), width / count, static_cast<std::uint32_t>(count)};
 }
 
 /// The connected pieces of a region's bands, with the band of each.
@@ -68,18 +54,41 @@ std::vector<std::pair<Region, std::uint32_t>> pieces_of_bands(
   return pieces;
 }
 
-/// The other band that most neighbours of a piece are in; its own if none has any.
-std::uint32_t band_around(const NeighbourGraph& graph, const Region& piece, std::uint32_t own,
-                          const std::vector<std::uint32_t>& band_of) {
-  std::map<std::uint32_t, std::size_t> votes;
-  for (const std::uint32_t i : piece.points) {
+/// The bands beside a piece; kNoBand if there is none.
+struct BandsBeside {
+  std::uint32_t sparser = kNoBand;  ///< the nearest one
+  std::uint32_t denser = kNoBand;
+
+  void note(std::uint32_t own, std::uint32_t other) {
+    if (other > own) sparser = std::min(sparser, other);
+    if (other < own) denser = denser == kNoBand ? other : std::max(denser, other);
+  }
+};
+
+/// Lets pieces of few points join the sparser band beside them, or else the denser one: a coarse
+/// grid draws dense points, but a fine grid would draw each sparse point as a dot. Nearest points
+/// are looked for both ways, as those of a sparse point at a dense part are all dense.
+void join_small_pieces(const NeighbourGraph& graph, const Region& region,
+                       const std::vector<std::pair<Region, std::uint32_t>>& pieces,
+                       std::vector<std::uint32_t>& piece_of, std::vector<std::uint32_t>& band_of) {
+  for (std::uint32_t p = 0; p < pieces.size(); ++p) {
+    for (const std::uint32_t i : pieces[p].first.points) piece_of[i] = p;
+  }
+  std::vector<BandsBeside> beside(pieces.size());
+  for (const std::uint32_t i : region.points) {
     for (const std::uint32_t j : graph.of(i)) {
-      if (band_of[j] != kNoBand && band_of[j] != own) ++votes[band_of[j]];
+      if (band_of[j] == kNoBand || piece_of[j] == piece_of[i]) continue;
+      beside[piece_of[i]].note(band_of[i], band_of[j]);
+      beside[piece_of[j]].note(band_of[j], band_of[i]);
     }
   }
-  const auto most = std::max_element(
-      votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == votes.end() ? own : most->first;
+  for (std::uint32_t p = 0; p < pieces.size(); ++p) {
+    const auto& [piece, own] = pieces[p];
+    if (piece.points.size() >= kFewestPiecePoints) continue;
+    const std::uint32_t joined =
+        beside[p].sparser != kNoBand ? beside[p].sparser : beside[p].denser;
+    for (const std::uint32_t i : piece.points) band_of[i] = joined == kNoBand ? own : joined;
+  }
 }
 
 }  // namespace
@@ -88,6 +97,7 @@ std::vector<Region> split_by_density(const SurfaceSamples& samples, const Neighb
                                      std::vector<Region> regions) {
   std::vector<Region> split;
   std::vector<std::uint32_t> band_of(samples.positions.size(), kNoBand);
+  std::vector<std::uint32_t> piece_of(samples.positions.size(), 0);
   for (Region& region : regions) {
     const Bands bands = bands_of(samples, region);
     if (bands.count < 2) {
@@ -96,11 +106,7 @@ std::vector<Region> split_by_density(const SurfaceSamples& samples, const Neighb
     }
     for (const std::uint32_t i : region.points) band_of[i] = bands.of(samples.spacing[i]);
     const auto scattered = pieces_of_bands(samples, graph, region, bands.count, band_of);
-    for (const auto& [piece, band] : scattered) {
-      if (piece.points.size() >= kFewestPiecePoints) continue;
-      const std::uint32_t around = band_around(graph, piece, band, band_of);
-      for (const std::uint32_t i : piece.points) band_of[i] = around;
-    }
+    join_small_pieces(graph, region, scattered, piece_of, band_of);
     for (auto& [piece, band] : pieces_of_bands(samples, graph, region, bands.count, band_of))
       split.push_back(std::move(piece));
     for (const std::uint32_t i : region.points) band_of[i] = kNoBand;

@@ -7,9 +7,8 @@
 
 namespace relief {
 
-/// Largest ratio, in one region, of the spacing that a tenth of the area exceeds to the one that a
-/// tenth falls below: of the points, most are always in the dense part. A much smaller limit would
-/// split even scans because of the estimate's noise.
+/// Largest ratio of the spacings of a region's sparse and dense part (spacing_range). A much
+/// smaller limit would split even scans because of the estimate's noise.
 inline constexpr double kWidestDensityRatio = 3.0;
 
 /// Splits each region of a wider ratio into connected pieces of a narrower one, which keep its

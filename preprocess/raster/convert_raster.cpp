@@ -301,7 +301,8 @@ std::string unused_for_rasters(const ConvertOptions& options, const ReadOptions&
   };
   name_if(options.samples > 0, "--samples");
   name_if(options.error > 0.0, "--error");
-  name_if(options.adaptive_spacing, "--adaptive-spacing");
+  name_if(options.adaptive_spacing.value_or(false), "--adaptive-spacing");
+  name_if(!options.adaptive_spacing.value_or(true), "--even-spacing");
   name_if(options.cone_degrees > 0.0, "--cone-degrees");
   name_if(options.seams.value_or(false), "--seams");
   name_if(options.seams.has_value() && !*options.seams, "--overlap");

@@ -11,9 +11,6 @@
 namespace relief {
 namespace {
 
-// A node within this many grid spacings of a point is always supported, so that a border moves
-// outward by less than one spacing.
-constexpr double kReachInSpacings = 0.9;
 // The limit above is on the base plane; on a slope the surface is longer. This is the limit along
 // the point's tangent plane. (A tighter limit makes pinholes where normals are noisy.)
 constexpr double kSlopeReachInSpacings = 3.0;
@@ -41,7 +38,9 @@ bool is_close(const PatchPoints& points, std::uint32_t p, double x, double y, do
 
 /// The distance up to which a point counts in surrounding nodes.
 double surround_reach(const PatchPoints& points, std::uint32_t p, double spacing) {
-  return std::max(kSurroundInSpacings * points.spacing[p], kSurroundInGridSpacings * spacing);
+  const float local =
+      p < points.own ? points.spacing[p] : std::max(points.spacing[p], points.least_of_others);
+  return std::max(kSurroundInSpacings * local, kSurroundInGridSpacings * spacing);
 }
 
 /// `widest_reach`: at least that of any point of `lookup`.

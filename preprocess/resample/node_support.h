@@ -8,6 +8,10 @@
 
 namespace relief {
 
+/// A node within this many grid spacings of a point is always supported, so that a border moves
+/// outward by less than one spacing.
+inline constexpr double kReachInSpacings = 0.9;
+
 /// Returns whether the points of `lookup` support a sample at (x, y): one lies within 0.9 spacings
 /// on the base plane, or, in sparse parts, points surround it closely enough to interpolate.
 /// So borders are extrapolated by less than one spacing, and gaps wider than about three local

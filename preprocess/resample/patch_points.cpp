@@ -116,8 +116,8 @@ void place_points(const SurfaceSamples& samples, PatchPoints& points) {
 }
 
 PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                 const Region& region, const Membership& membership,
-                                 double margin) {
+                                 const Region& region, const Membership& membership, double margin,
+                                 float own_spacing) {
   PatchPoints out;
   const glm::dvec3 n = glm::normalize(glm::dvec3(region.normal));
   glm::dvec3 u;
@@ -135,7 +135,7 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
       return std::abs(rise) <= kMostMarginRise * margin &&
              glm::dot(step, step) - rise * rise <= margin * margin &&
              glm::dot(samples.normals[j], region.normal) >= kMinMarginCosine &&
-             on_one_sheet(samples, i, j);
+             on_one_sheet(samples, i, j, from == i ? own_spacing : 0.0F);
     };
     grow_region(graph, region, membership.region, is_margin, out.ids);
   }

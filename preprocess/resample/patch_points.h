@@ -31,6 +31,9 @@ struct PatchPoints {
   std::vector<glm::dvec3> positions;
   std::vector<glm::vec3> normals;  ///< unit, in the patch frame; all face +z
   std::vector<float> spacing;      ///< local spacing of the scan
+  /// Spacing that points of other regions have at least, where gaps between points are judged:
+  /// beside a denser part, points are as far from it as from each other. 0: their own.
+  float least_of_others = 0.0F;
 
   [[nodiscard]] std::size_t size() const { return ids.size(); }
 };
@@ -53,8 +56,11 @@ void place_points(const SurfaceSamples& samples, PatchPoints& points);
 /// on the base plane, through the neighbour graph (the papers' epsilon neighbourhood). The frame's
 /// first two axes run along the smallest rectangle around the region's own points. `membership`
 /// covers all points; it is not read if `margin` is 0, which collects no surroundings.
+/// `own_spacing`: of the region's points, for which denser surroundings are also those so near as
+/// sparse ones would be; 0 if the scan's density is even.
 [[nodiscard]] PatchPoints collect_patch_points(const SurfaceSamples& samples,
                                                const NeighbourGraph& graph, const Region& region,
-                                               const Membership& membership, double margin);
+                                               const Membership& membership, double margin,
+                                               float own_spacing = 0.0F);
 
 }  // namespace relief

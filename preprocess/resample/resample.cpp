@@ -24,6 +24,9 @@ constexpr double kFitReachInSpacings = 2.5;
 // How far from a node the points of a crease's two sides are looked for.
 constexpr double kCreaseReachInSpacings = 2.5;
 
+// A region with margin points so much denser than its own lies at a step of density.
+constexpr float kDensityStep = 3.0F;
+
 // Rings of nodes beyond a region's own that neighbours may be met in, at most.
 constexpr double kMostRings = 8.0;
 
@@ -108,20 +111,42 @@ int rings_to_others(const ScanSurface& scan, const Region& region, const Resampl
   return static_cast<int>(std::clamp(rings, double{1}, kMostRings));
 }
 
+/// The median of the local spacings of a region's points, where patches' spacings follow it; else
+/// 0.
+float own_spacing_of(const ScanSurface& scan, const Region& region) {
+  if (!scan.follows_density) return 0.0F;
+  std::vector<float> own;
+  own.reserve(region.points.size());
+  for (const std::uint32_t i : region.points) own.push_back(scan.samples.spacing[i]);
+  const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
+  std::nth_element(own.begin(), middle, own.end());
+  return *middle;
+}
+
+/// Whether points of other regions are much denser than a region's own.
+bool is_at_density_step(const PatchPoints& points, float own_spacing) {
+  return std::any_of(points.spacing.begin() + static_cast<std::ptrdiff_t>(points.own),
+                     points.spacing.end(),
+                     [&](float spacing) { return kDensityStep * spacing < own_spacing; });
+}
+
 }  // namespace
 
 Patch resample_region(const ScanSurface& scan, const Region& region,
                       const ResampleOptions& options) {
   const int rings = options.seams ? rings_to_others(scan, region, options) : options.overlap_cells;
-  const double margin = (rings + kFitReachInSpacings) * options.spacing;
-  const PatchPoints points =
-      collect_patch_points(scan.samples, scan.graph, region, scan.membership, margin);
+  const float own_spacing = own_spacing_of(scan, region);
+  const int bridges = scan.follows_density ? kBridgeRings + kStepRings : 0;
+  const double margin = (rings + bridges + kFitReachInSpacings) * options.spacing;
+  PatchPoints points =
+      collect_patch_points(scan.samples, scan.graph, region, scan.membership, margin, own_spacing);
+  if (is_at_density_step(points, own_spacing)) points.least_of_others = own_spacing;
   const double bucket = bucket_side(points, options.spacing);
   const PointGrid own(points, points.own, bucket);
   const PointGrid supporting(points, points.supporting, bucket);
   const PointGrid all(points, points.size(), bucket);
 
-  PatchGrid grid = lay_grid(points, options.spacing, rings);
+  PatchGrid grid = lay_grid(points, options.spacing, rings + bridges);
   std::vector<NodeState> states = find_support(points, {own, supporting, all}, grid, rings);
   if (scan.border != nullptr)
     end_at_border(*scan.border, points, {own, supporting, all}, grid, states);

@@ -24,6 +24,7 @@ struct ScanSurface {
   std::span<const PointScalar> scalars = {};      ///< of all points
   std::span<const ScalarInfo> scalar_infos = {};  ///< one for each
   const ScanBorder* border = nullptr;             ///< of all points; null: patches end with support
+  bool follows_density = false;                   ///< patches' spacings do (spacing_factors)
   bool is_cut_later = false;                      ///< by cut_to_mesh(): patches may overhang
   FitCensus* fits = nullptr;                      ///< counts the fits; null: nothing does
 };

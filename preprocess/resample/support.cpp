@@ -83,6 +83,33 @@ void fill_holes(const PatchGrid& grid, std::vector<NodeState>& states, NodeState
   }
 }
 
+/// Extends the margin of a grid that is as coarse as its points over the gap to a denser part,
+/// which may be wider than the margin: by nodes without a point beside them, and a margin of those.
+void bridge_gaps(const PatchLookups& lookups, const NodeSupport& support, const PatchGrid& grid,
+                 std::vector<NodeState>& states) {
+  const auto is_in_gap = [&](std::uint32_t i, std::uint32_t j) {
+    return lookups.all.nearest(grid.x0 + i * grid.spacing, grid.y0 + j * grid.spacing,
+                               kReachInSpacings * grid.spacing) == PointGrid::kNone;
+  };
+  std::vector<NodeState> bridge(states.size(), NodeState::Hole);
+  for (std::uint32_t j = 0; j < grid.height; ++j) {
+    for (std::uint32_t i = 0; i < grid.width; ++i) {
+      const std::size_t node = std::size_t{j} * grid.width + i;
+      if (states[node] == NodeState::Margin && is_in_gap(i, j)) bridge[node] = NodeState::Margin;
+    }
+  }
+  const auto extend = [&](auto&& rule) {
+    fill_holes(grid, bridge, NodeState::Margin, [&](auto i, auto j, const Surroundings& around) {
+      return around.has_sample() && rule(i, j) && support.is_supported(i, j);
+    });
+  };
+  for (int ring = 0; ring < kBridgeRings; ++ring) extend(is_in_gap);
+  for (int ring = 0; ring < kStepRings; ++ring) extend([](auto /*i*/, auto /*j*/) { return true; });
+  for (std::size_t node = 0; node < states.size(); ++node) {
+    if (states[node] == NodeState::Hole) states[node] = bridge[node];
+  }
+}
+
 }  // namespace
 
 std::vector<NodeState> find_support(const PatchPoints& points, const PatchLookups& lookups,
@@ -98,11 +125,14 @@ std::vector<NodeState> find_support(const PatchPoints& points, const PatchLookup
   if (overlap_cells == 0) return states;
 
   const NodeSupport by_supporting(by_own, lookups.supporting);
-  for (int ring = 0; ring < overlap_cells; ++ring) {
+  const bool is_at_step = points.least_of_others > 0.0F;
+  const int rings = is_at_step ? std::max(overlap_cells, kStepRings) : overlap_cells;
+  for (int ring = 0; ring < rings; ++ring) {
     fill_holes(grid, states, NodeState::Margin, [&](Node i, Node j, const Surroundings& around) {
       return around.has_sample() && by_supporting.is_supported(i, j);
     });
   }
+  if (is_at_step) bridge_gaps(lookups, by_supporting, grid, states);
   // A steep slit between two margins would remain a visible gap.
   fill_holes(grid, states, NodeState::Margin, [&](Node i, Node j, const Surroundings& around) {
     return around.in_slit() && is_supported(points, lookups.all, grid.x0 + i * grid.spacing,

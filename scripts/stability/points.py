@@ -52,7 +52,7 @@ def spheres(rng):
     for ratio in (100, 10000):
         kept = rng.random(200000) < ratio ** -((1 - sphere(200000)[:, 2]) / 2)
         yield f"density 1 : {ratio}", sphere(200000)[kept], None, []
-        yield f"density 1 : {ratio}, --adaptive-spacing", sphere(200000)[kept], None, ["--adaptive-spacing"]
+        yield f"density 1 : {ratio}, --even-spacing", sphere(200000)[kept], None, ["--even-spacing"]
     near = np.repeat(points, 10, axis=0) + 1e-12 * rng.standard_normal((10 * count, 3))
     yield "all points ten times", np.repeat(points, 10, axis=0), None, []
     yield "all points ten times, apart by rounding", near, None, []

@@ -1,4 +1,5 @@
-// relief convert --adaptive-spacing: a scan whose density differs, its patches and its images.
+// relief convert --adaptive-spacing and --even-spacing: a scan whose density differs, its patches
+// and its images.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -83,8 +84,10 @@ class AdaptiveSpacing : public CliTest {
 TEST_F(AdaptiveSpacing, FollowsTheDensityAndClosesWithoutHoles) {
   const std::string scan = write("scan.xyz", sphere_of_uneven_density());
   const std::string mesh = write("sphere.obj", sphere_mesh());
-  const json even = run({"convert", scan, "-o", path("even.relief")});
-  const json adaptive = run({"convert", scan, "-o", path("adaptive.relief"), "--adaptive-spacing"});
+  const json even = run({"convert", scan, "-o", path("even.relief"), "--even-spacing"});
+  const json adaptive = run({"convert", scan, "-o", path("adaptive.relief")});
+  run({"convert", scan, "-o", path("asked.relief"), "--adaptive-spacing"});
+  EXPECT_EQ(bytes_of(path("asked.relief")), bytes_of(path("adaptive.relief"))) << "the default";
   EXPECT_EQ(spacing_ratio("even.relief"), 1.0);
   EXPECT_GT(spacing_ratio("adaptive.relief"), 3.0);
   EXPECT_LE(spacing_ratio("adaptive.relief"), 8.0);

@@ -53,6 +53,7 @@ TEST(Usage, WrongUsageIsExitCodeTwo) {
       {"convert", "x.ply", "-o", "x.relief", "--memory", "1G", "--clean"},
       {"convert", "x.ply", "-o", "x.relief", "--memory", "1G", "--thin", "1"},
       {"convert", "x.ply", "-o", "x.relief", "--memory", "1G", "--adaptive-spacing"},
+      {"convert", "x.ply", "-o", "x.relief", "--even-spacing", "--adaptive-spacing"},
       {"render", "x.relief", "-o", "x.png", "--fov", "180"},
       {"render", "x.relief", "-o", "x.png", "--fov", "nan"},
       {"render", "x.relief", "-o", "x.png", "--orthographic"},
@@ -191,7 +192,7 @@ std::string help_of(const std::string& subcommand) {
 
 // The number of options is written down here, so that one that is lost or not listed is noticed.
 TEST(Usage, HelpListsEveryOptionWithItsDefault) {
-  const std::map<std::string, std::size_t> counts{{"bench", 49}, {"compare", 7}, {"convert", 32},
+  const std::map<std::string, std::size_t> counts{{"bench", 49}, {"compare", 7}, {"convert", 33},
                                                   {"export", 8}, {"info", 6},    {"render", 89}};
   for (const auto& [subcommand, count] : counts) {
     const std::vector<ListedOption> options = options_of(help_of(subcommand));

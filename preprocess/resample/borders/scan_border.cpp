@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "preprocess/points/complete_frame.h"
+#include "preprocess/resample/borders/density_steps.h"
 #include "preprocess/resample/sectors.h"
 
 namespace relief {
@@ -157,10 +158,11 @@ ScanBorder::ScanBorder(const SurfaceSamples& samples, const NeighbourGraph& grap
                     [&](std::uint32_t i) { outward[i] = finders.local().outward(i); });
   if (std::ranges::none_of(outward, [](const auto& o) { return o.has_value(); })) return;
   const RadiusSearch all(samples.positions);
+  const DensitySteps steps(samples, graph);
   std::vector<std::uint8_t> at_edge(count, 0);
   tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) {
     if (!outward[i]) return;
-    if (is_gap(samples, all, i, *outward[i]))
+    if (is_gap(samples, all, i, *outward[i]) || steps.go_on(i, *outward[i]))
       outward[i].reset();
     else
       at_edge[i] = is_at_edge(samples, all, i, *outward[i]) ? 1 : 0;

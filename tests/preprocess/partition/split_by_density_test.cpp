@@ -9,6 +9,7 @@
 
 #include "common/neighbours/neighbours.h"
 #include "preprocess/convert.h"
+#include "preprocess/partition/spacing_range.h"
 
 namespace relief {
 namespace {
@@ -30,22 +31,39 @@ Points plane_of_density(double ratio) {
   return points;
 }
 
-/// Of a region: the spacing that a tenth of its area exceeds over the one that a tenth falls below.
+/// A square of side 1 of so many points at random, and 200,000 in the hundredth of it at its
+/// corner.
+Points plane_with_a_dense_corner(std::size_t sparse) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(0.0, 1.0);
+  Points points;
+  for (std::size_t i = 0; i < sparse + 200000; ++i) {
+    const double side = i < sparse ? 1.0 : 0.1;
+    points.positions.emplace_back(side * place(random), side * place(random), 0.0);
+    points.normals.emplace_back(0.0F, 0.0F, 1.0F);
+  }
+  return points;
+}
+
+/// The ratio of a region's spacings.
 double density_ratio(const std::vector<float>& spacing, const Region& region) {
   std::vector<float> own;
   for (const std::uint32_t i : region.points) own.push_back(spacing[i]);
-  std::sort(own.begin(), own.end());
-  double area = 0.0;
-  for (const float s : own) area += double{s} * s;
-  double dense = 0.0;
-  double sparse = 0.0;
-  double below = 0.0;
-  for (const float s : own) {
-    below += double{s} * s;
-    if (below < 0.1 * area) dense = s;
-    if (below < 0.9 * area) sparse = s;
-  }
-  return sparse / dense;
+  return spacing_range(std::move(own)).ratio();
+}
+
+TEST(SpacingRange, SparsePartsOfFewPointsAndDensePartsOfLittleAreaShow) {
+  EXPECT_EQ(spacing_range({}).ratio(), 1.0);
+  EXPECT_EQ(spacing_range(std::vector<float>(100, 2.0F)).ratio(), 1.0);
+  // 1,000 points a hundredth apart have a tenth of an area of 1, as 9 a third apart would.
+  std::vector<float> spacings(1000, 0.01F);
+  spacings.insert(spacings.end(), 9, 0.33F);
+  EXPECT_FLOAT_EQ(spacing_range(spacings).dense, 0.01F);
+  EXPECT_FLOAT_EQ(spacing_range(spacings).sparse, 0.33F);
+  // A stray point of the least spacing, and one point in 1,001 at most, change nothing.
+  spacings.assign(1000, 1.0F);
+  spacings.push_back(1e-9F);
+  EXPECT_EQ(spacing_range(spacings).ratio(), 1.0);
 }
 
 /// One region of all points, split.
@@ -79,10 +97,9 @@ TEST(SplitByDensity, EvenScansStayWhole) {
   EXPECT_EQ(split(points, graph).size(), 1U);
 }
 
-TEST(SplitByDensity, AdaptiveSpacingGivesDenseAndSparsePartsTheirOwn) {
+TEST(SplitByDensity, DenseAndSparsePartsHaveTheirOwnSpacing) {
   // Fiftyfold density is a sevenfold spacing: one plane, of which no normal says where to split.
   ConvertOptions options;
-  options.adaptive_spacing = true;
   Progress progress;
   const auto result = convert(plane_of_density(std::sqrt(50.0)), options, progress);
   ASSERT_TRUE(result) << result.error().message;
@@ -91,6 +108,41 @@ TEST(SplitByDensity, AdaptiveSpacingGivesDenseAndSparsePartsTheirOwn) {
   EXPECT_GE(result->model.patches.size(), 2U);
   EXPECT_GT(coarsest.spacing, 2.0 * finest.spacing);
   EXPECT_EQ(result->report.uncovered_points, 0U);
+
+  options.adaptive_spacing = false;
+  const auto even = convert(plane_of_density(std::sqrt(50.0)), options, progress);
+  ASSERT_TRUE(even) << even.error().message;
+  EXPECT_EQ(even->report.finest_spacing, even->report.coarsest_spacing);
+}
+
+/// Whether a cell of the patches that has all corners covers a position of the plane z = 0.
+bool covers(const std::vector<Patch>& patches, glm::dvec2 at) {
+  return std::ranges::any_of(patches, [&](const Patch& patch) {
+    const glm::dvec3 grid =
+        glm::transpose(patch.axes) * (glm::dvec3(at, 0.0) - patch.origin) / patch.spacing;
+    const auto i = static_cast<std::int64_t>(std::floor(grid.x));
+    const auto j = static_cast<std::int64_t>(std::floor(grid.y));
+    if (i < 0 || j < 0 || i + 1 >= patch.width || j + 1 >= patch.height) return false;
+    const auto u = static_cast<std::uint32_t>(i);
+    const auto v = static_cast<std::uint32_t>(j);
+    return patch.at(u, v) != kHole && patch.at(u + 1, v) != kHole && patch.at(u, v + 1) != kHole &&
+           patch.at(u + 1, v + 1) != kHole;
+  });
+}
+
+// Points are 45 times as far apart beyond the corner: with one spacing each is a dot of its own.
+TEST(SplitByDensity, StepsOfDensityLeaveNoGap) {
+  Progress progress;
+  const auto result = convert(plane_with_a_dense_corner(10000), {}, progress);
+  ASSERT_TRUE(result) << result.error().message;
+  const PatchModel& model = result->model;
+  EXPECT_LT(result->report.finest_spacing, 0.0003) << "as dense as the corner";
+  EXPECT_GT(result->report.coarsest_spacing, 0.007) << "as sparse as the rest";
+  int bare = 0;
+  for (double y = 0.02; y < 0.98; y += 0.0021) {
+    for (double x = 0.02; x < 0.98; x += 0.0021) bare += covers(model.patches, {x, y}) ? 0 : 1;
+  }
+  EXPECT_EQ(bare, 0);
 }
 
 }  // namespace

@@ -128,6 +128,30 @@ TEST(ScanBorder, HolesStayOpen) {
   EXPECT_GE(about_hole, 30U);
 }
 
+// Its points' nearest ones are all on their side.
+TEST(ScanBorder, ADensePartInASparseOneHasNone) {
+  Points points = scatter(40.0, 6, [](double x, double y) { return std::hypot(x, y) >= 10.0; });
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-10.0, 10.0);
+  for (int n = 0; n < 40000; ++n) {
+    const double x = place(random);
+    const double y = place(random);
+    if (std::hypot(x, y) >= 10.0) continue;
+    points.positions.emplace_back(x, y, 0.0);
+    points.normals.emplace_back(0.0F, 0.0F, 1.0F);
+  }
+  const test::Prepared scan(std::move(points));
+  const ScanBorder border(scan.samples(), scan.graph, kNoOthers);
+  int found = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / 200;
+    const glm::dvec3 at(10.0 * std::cos(angle), 10.0 * std::sin(angle), 0.0);
+    found += border.beyond(at, {0.0F, 0.0F, 1.0F}, 0.1) ? 1 : 0;
+  }
+  // Of 200 places about the dense part 182 were before.
+  EXPECT_LE(found, 10);
+}
+
 TEST(ScanBorder, CornersStay) {
   // A regular grid of 41x41 points ends half a spacing beyond its last rows.
   Points points;

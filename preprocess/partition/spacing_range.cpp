@@ -1,0 +1,28 @@
+#include "preprocess/partition/spacing_range.h"
+
+#include <tbb/parallel_sort.h>
+
+namespace relief {
+namespace {
+
+constexpr double kShare = 0.1;
+
+}  // namespace
+
+SpacingRange spacing_range(std::vector<float> spacings) {
+  if (spacings.empty()) return {};
+  tbb::parallel_sort(spacings);
+  double area = 0.0;
+  for (const float s : spacings) area += double{s} * s;
+  double sparser = 0.0;
+  auto sparse = spacings.end() - 1;
+  while (sparse != spacings.begin()) {
+    sparser += double{*sparse} * *sparse;
+    if (sparser > kShare * area) break;
+    --sparse;
+  }
+  return {spacings[static_cast<std::size_t>(kShare * static_cast<double>(spacings.size()))],
+          *sparse};
+}
+
+}  // namespace relief

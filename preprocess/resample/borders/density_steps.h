@@ -1,0 +1,35 @@
+// Where a dense part of a scan ends and a sparse one goes on.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "common/neighbours/radius_search.h"
+#include "preprocess/partition/partition.h"
+
+namespace relief {
+
+/// The sparse points at steps of density. The nearest points of one in a dense part are all dense,
+/// so the dense part seems to end there.
+class DensitySteps {
+ public:
+  DensitySteps(const SurfaceSamples& samples, const NeighbourGraph& graph);
+
+  /// Whether the surface goes on beyond a point of the dense part, in sparse points. `outward`: a
+  /// unit direction in its tangent plane.
+  [[nodiscard]] bool go_on(std::uint32_t point, glm::dvec3 outward) const;
+
+ private:
+  /// Sparse points of about one spacing.
+  struct Octave {
+    double reach = 0.0;
+    std::vector<std::uint32_t> points;
+    RadiusSearch search;
+  };
+
+  SurfaceSamples samples_;
+  std::vector<Octave> octaves_;
+};
+
+}  // namespace relief
