@@ -52,7 +52,9 @@ const MaterialSettings& material_of(const Lighting& lighting, std::size_t materi
 
 glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurface& surface) {
   const LitMaterial& own = lit_material(lighting, material);
-  const auto facing = [&surface] { return shared::facing_normal(surface.normal, surface.ray); };
+  const auto facing = [&surface] {
+    return shared::facing_normal(surface.normal, surface.ray, surface.from_behind);
+  };
   const auto mirror = [&] {
     assert(own.cube != nullptr && "a mirror has something to reflect");
     return look_up(*own.cube, glm::dvec3(glm::reflect(surface.ray, facing())));

@@ -78,6 +78,10 @@ vec3 ray_or_position(vec3 ray) {
 }
 #endif
 
+// Whether the back of what was drawn is seen; set before a fragment is shaded. Blended splats do not
+// say.
+bool seen_from_behind = false;
+
 // What its material makes of a surface seen along `ray` at `depth` along the view axis; `index`: of
 // the material, where there are several. An unlit one has no normal.
 vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) {
@@ -88,16 +92,16 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
   // Neighbours in an image may have other materials, so that lookups must not hang on the kind:
   // which copy of the environment they read follows from all of them.
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-  vec3 lit_colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth, material.constants.z);
+  vec3 lit_colour = shade_lit(albedo, facing_normal(normal, ray, seen_from_behind), ray, depth, material.constants.z);
   if (kind == kLit) colour = lit_colour;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
-  vec3 reflection = shade_mirror(facing_normal(normal, ray), ray, material.constants.z);
+  vec3 reflection = shade_mirror(facing_normal(normal, ray, seen_from_behind), ray, material.constants.z);
   if (kind == kMirror) colour = reflection;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
   if (kind == kSplit) {
-    vec3 lit_light = shade_lit(albedo, facing_normal(normal, ray), ray, depth, -1.0);
+    vec3 lit_light = shade_lit(albedo, facing_normal(normal, ray, seen_from_behind), ray, depth, -1.0);
     colour = split_view(frame, ray_or_position(ray), lit_light, reflection, stored_colour);
   }
 #endif
@@ -106,13 +110,13 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
   if (kind == kGlass) colour = transmission;
 #endif
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
-  vec3 facing = facing_normal(normal, ray);
+  vec3 facing = facing_normal(normal, ray, seen_from_behind);
   colour = split_view(frame, ray_or_position(ray), shade_lit(albedo, facing, ray, depth, -1.0),
                       shade_mirror(facing, ray, -1.0), stored_colour);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-  colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth, -1.0);
+  colour = shade_lit(albedo, facing_normal(normal, ray, seen_from_behind), ray, depth, -1.0);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
-  colour = shade_mirror(facing_normal(normal, ray), ray, -1.0);
+  colour = shade_mirror(facing_normal(normal, ray, seen_from_behind), ray, -1.0);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
   colour = shade_glass(frame.material, normal, ray, depth);
 #endif

@@ -41,9 +41,11 @@ using glm::vec3;
 /// The normal of a surface as seen along `ray`, from the eye. A back side shows the reversed
 /// normal. At a silhouette, interpolated normals lean a little away from the eye although the front
 /// is seen; reversing those would put dark specks on a bright rim, so they are bent to grazing.
-RELIEF_FUNCTION vec3 facing_normal(vec3 normal, vec3 ray) {
+/// `from_behind`: whether the back of a triangle or of a patch's splat is seen. Where nothing
+/// tells, only a normal that points far away from the eye does.
+RELIEF_FUNCTION vec3 facing_normal(vec3 normal, vec3 ray, bool from_behind) {
   float away = dot(normal, ray);
-  if (away > kBackSide) return -normal;
+  if (away > (from_behind ? kBackOfTriangle : kBackSide)) return -normal;
   return away > 0.0f ? normalize(normal - away * ray) : normal;
 }
 
@@ -137,7 +139,7 @@ RELIEF_FUNCTION SplitRay split_facing(vec3 facing, vec3 ray, float ratio) {
 /// back side is left from within.
 RELIEF_FUNCTION SplitRay split_ray(vec3 normal, vec3 ray, float ior) {
   bool within = dot(normal, ray) > kBackSide;
-  vec3 facing = facing_normal(normal, ray);
+  vec3 facing = facing_normal(normal, ray, false);
   SplitRay split = split_facing(facing, ray, within ? ior : 1.0f / ior);
   if (within) split.path = max(-dot(facing, ray), 0.0f);
   return split;
@@ -147,7 +149,7 @@ RELIEF_FUNCTION SplitRay split_ray(vec3 normal, vec3 ray, float ior) {
 /// The same where a ray within the body meets its surface. `normal`: outward; where an
 /// interpolation leans it against the ray that goes straight on.
 RELIEF_FUNCTION SplitRay split_within(vec3 normal, vec3 ray, float ior) {
-  return split_facing(facing_normal(-normal, ray), ray, ior);
+  return split_facing(facing_normal(-normal, ray, false), ray, ior);
 }
 #endif
 

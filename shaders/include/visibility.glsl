@@ -1,13 +1,15 @@
-// What was found at a pixel: the patch and the position on it, in two words.
+// What was found at a pixel: the patch, the position on it, and the side that is seen, in two words.
 #include "include/patches.glsl"
 
 layout(location = RELIEF_UNIFORM_POSITION_STEPS) uniform float position_steps;  // a cell
 
 // `position`: grid coordinates; what lies farther beyond the patch than can be noted becomes its edge
 // anyway.
-uvec2 pack_position(vec2 position, uint patch_index) {
+uvec2 pack_position(vec2 position, uint patch_index, bool from_behind) {
   uvec2 steps = uvec2(clamp((position + kVisibilityBegin) * position_steps, 0.0, float(kVisibilityMask)));
-  return steps | uvec2(patch_index << kVisibilityBits, (patch_index >> kVisibilityPatchBits) << kVisibilityBits);
+  uint behind = from_behind ? kVisibilityBehind : 0u;
+  return steps | uvec2(patch_index << kVisibilityBits,
+                       (patch_index >> kVisibilityPatchBits) << kVisibilityBits | behind);
 }
 
 vec2 unpack_position(uvec2 found) {
@@ -15,5 +17,10 @@ vec2 unpack_position(uvec2 found) {
 }
 
 uint unpack_patch(uvec2 found) {
-  return found.x >> kVisibilityBits | (found.y >> kVisibilityBits) << kVisibilityPatchBits;
+  uint upper = (found.y & ~kVisibilityBehind) >> kVisibilityBits;
+  return found.x >> kVisibilityBits | upper << kVisibilityPatchBits;
+}
+
+bool unpack_from_behind(uvec2 found) {
+  return (found.y & kVisibilityBehind) != 0u;
 }

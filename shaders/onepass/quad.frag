@@ -61,11 +61,12 @@ void main() {
   RELIEF_DISCARD_IF(!in_next_layers(info.axis_u.w));
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
-  out_visibility = pack_position(position.xy, hit_patch);
+  out_visibility = pack_position(position.xy, hit_patch, !gl_FrontFacing);
 #if RELIEF_NEEDS_DEPTH
   out_visibility_depth = depth;
 #endif
 #else
+  seen_from_behind = !gl_FrontFacing;
   shade(info, position, ray, depth, footprint);
 #endif
   RELIEF_DISCARD_LOST;

@@ -25,6 +25,7 @@ void main() {
   depth = texelFetch(visibility_depths, pixel, 0).x;
 #endif
   vec2 position = unpack_position(found);
+  seen_from_behind = unpack_from_behind(found);
   vec4 footprint = vec4(0.0);
 #if RELIEF_NEEDS_FOOTPRINT
   // Only layers have this: they are shaded later whatever is on them.

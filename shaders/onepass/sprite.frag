@@ -65,6 +65,7 @@ void main() {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
   RELIEF_DISCARD_IF(!within_mask(info, position.xy));
 #endif
+  seen_from_behind = dot(normal, toward) > 0.0;
   shade(info, position, ray, depth_beyond(depth, along, info.axis_u.w), footprint);
   RELIEF_DISCARD_LOST;
 }

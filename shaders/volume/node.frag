@@ -20,6 +20,6 @@ void main() {
   vec3 colour = shading.size.w * node.rgb;
   float squared = dot(normal, normal);
   if (squared > 0.0)  // else there is nothing to light
-    colour = lit(frame, RELIEF_LIGHTS, colour, facing_normal(normal * inversesqrt(squared), ray), ray, position);
+    colour = lit(frame, RELIEF_LIGHTS, colour, facing_normal(normal * inversesqrt(squared), ray, false), ray, position);
   out_node = vec4(colour, node.a);
 }

@@ -104,7 +104,7 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
   draw_strips(gl, programs, draws, behind);
   // From the normals' side runs are clockwise, because their first vertex is there twice, and
   // strips and quads are not.
-  gl.CullFace(behind ? GL_BACK : GL_FRONT);
+  gl.FrontFace(GL_CW);
   const auto draw = [&](std::optional<Commands> CellDraws::Page::*member, const Program* program,
                         GLenum primitive) {
     for (const CellDraws::Page& page : draws.pages) {
@@ -120,7 +120,7 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
   };
   draw(&CellDraws::Page::runs, programs.runs ? &*programs.runs : &programs.main, GL_TRIANGLE_STRIP);
   draw(&CellDraws::Page::edges, programs.edges ? &*programs.edges : nullptr, GL_TRIANGLE_STRIP);
-  gl.CullFace(behind ? GL_FRONT : GL_BACK);
+  gl.FrontFace(GL_CCW);
   draw(&CellDraws::Page::borders, programs.borders ? &*programs.borders : nullptr, GL_TRIANGLES);
   gl.UseProgram(programs.rims->id());
   for (const CellDraws::Page& page : draws.pages) {

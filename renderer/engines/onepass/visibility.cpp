@@ -26,7 +26,7 @@ Result<Visibility> make_visibility(const Gl& gl, glm::uvec2 size, const Texture&
 }
 
 bool can_be_found(const PatchStore& store) {
-  return store.patches.size() <= std::size_t{1} << (2 * shared::kVisibilityPatchBits);
+  return store.patches.size() <= std::size_t{1} << (2 * shared::kVisibilityPatchBits - 1);
 }
 
 float position_steps(std::uint32_t side) {

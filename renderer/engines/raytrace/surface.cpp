@@ -72,6 +72,14 @@ glm::vec4 colour_at(const TriangleMesh& mesh, const Hit& at) {
   return colour;
 }
 
+bool is_from_behind(const TriangleMesh& mesh, const Hit& at, glm::vec3 normal,
+                    glm::dvec3 direction) {
+  const Triangle& t = mesh.triangles[at.triangle];
+  const glm::dvec3 plane = glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]],
+                                      mesh.positions[t[2]] - mesh.positions[t[0]]);
+  return glm::dot(plane, direction) * glm::dot(plane, glm::dvec3(normal)) > 0.0;
+}
+
 glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at) {
   const Triangle& corners = mesh.triangles[at.triangle];
   const auto is_direction = [](glm::dvec3 v, double least) {

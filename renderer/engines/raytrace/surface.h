@@ -18,6 +18,10 @@ namespace relief::raytrace {
 /// normal; and 0.
 [[nodiscard]] glm::vec4 colour_at(const TriangleMesh& mesh, const Hit& at);
 [[nodiscard]] glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at);
+/// Whether a ray in that direction meets the back of the triangle, the side that its normal there
+/// points away from.
+[[nodiscard]] bool is_from_behind(const TriangleMesh& mesh, const Hit& at, glm::vec3 normal,
+                                  glm::dvec3 direction);
 [[nodiscard]] glm::vec2 uv_at(const TriangleMesh& mesh, const Hit& at);
 [[nodiscard]] std::uint32_t patch_at(const TriangleMesh& mesh, const Hit& at);
 /// The diameter of the sphere about the model that it belongs to (TriangleMesh::bodies, of which

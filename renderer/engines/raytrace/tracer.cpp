@@ -84,6 +84,7 @@ glm::vec4 Tracer::shade_at(const Hit& at, const SightRay& ray) const {
   SeenSurface surface{glm::vec3(colour), normal_at(*mesh_, at),
                       glm::vec3(glm::normalize(ray.direction)),
                       glm::vec3(ray.start + at.depth * ray.direction)};
+  surface.from_behind = is_from_behind(*mesh_, at, surface.normal, ray.direction);
   if (settings.kind == Material::Split) {
     surface.uv = uv_at(*mesh_, at);
     surface.patch = patch_at(*mesh_, at);
