@@ -2,6 +2,9 @@
 
 #include <tbb/parallel_sort.h>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace relief {
 namespace {
 
@@ -23,6 +26,15 @@ SpacingRange spacing_range(std::vector<float> spacings) {
   }
   return {spacings[static_cast<std::size_t>(kShare * static_cast<double>(spacings.size()))],
           *sparse};
+}
+
+float median_of(const std::vector<float>& values, const Region& region) {
+  std::vector<float> own;
+  own.reserve(region.points.size());
+  for (const std::uint32_t i : region.points) own.push_back(values[i]);
+  const auto middle = own.begin() + static_cast<std::ptrdiff_t>((own.size() - 1) / 2);
+  std::nth_element(own.begin(), middle, own.end());
+  return *middle;
 }
 
 }  // namespace relief

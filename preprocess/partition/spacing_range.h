@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "preprocess/partition/region.h"
+
 namespace relief {
 
 /// Between dense and sparse parts of a set of points.
@@ -17,5 +19,8 @@ struct SpacingRange {
 /// Returns the range of these local spacings. By points alone a large sparse part would not show,
 /// of which the scan has few; by area alone, a small dense one.
 [[nodiscard]] SpacingRange spacing_range(std::vector<float> spacings);
+
+/// Returns the median of what `values` say of a region's points, of which it has some.
+[[nodiscard]] float median_of(const std::vector<float>& values, const Region& region);
 
 }  // namespace relief

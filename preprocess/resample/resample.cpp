@@ -8,8 +8,10 @@
 #include <numeric>
 #include <optional>
 
+#include "preprocess/partition/spacing_range.h"
 #include "preprocess/resample/attributes.h"
 #include "preprocess/resample/borders/creases.h"
+#include "preprocess/resample/borders/density_steps.h"
 #include "preprocess/resample/borders/end_at_border.h"
 #include "preprocess/resample/borders/foreign_nodes.h"
 #include "preprocess/resample/mls.h"
@@ -23,9 +25,6 @@ namespace {
 constexpr double kFitReachInSpacings = 2.5;
 // How far from a node the points of a crease's two sides are looked for.
 constexpr double kCreaseReachInSpacings = 2.5;
-
-// A region with margin points so much denser than its own lies at a step of density.
-constexpr float kDensityStep = 3.0F;
 
 // Rings of nodes beyond a region's own that neighbours may be met in, at most.
 constexpr double kMostRings = 8.0;
@@ -111,18 +110,6 @@ int rings_to_others(const ScanSurface& scan, const Region& region, const Resampl
   return static_cast<int>(std::clamp(rings, double{1}, kMostRings));
 }
 
-/// The median of the local spacings of a region's points, where patches' spacings follow it; else
-/// 0.
-float own_spacing_of(const ScanSurface& scan, const Region& region) {
-  if (!scan.follows_density) return 0.0F;
-  std::vector<float> own;
-  own.reserve(region.points.size());
-  for (const std::uint32_t i : region.points) own.push_back(scan.samples.spacing[i]);
-  const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
-  std::nth_element(own.begin(), middle, own.end());
-  return *middle;
-}
-
 /// Whether points of other regions are much denser than a region's own.
 bool is_at_density_step(const PatchPoints& points, float own_spacing) {
   return std::any_of(points.spacing.begin() + static_cast<std::ptrdiff_t>(points.own),
@@ -135,7 +122,7 @@ bool is_at_density_step(const PatchPoints& points, float own_spacing) {
 Patch resample_region(const ScanSurface& scan, const Region& region,
                       const ResampleOptions& options) {
   const int rings = options.seams ? rings_to_others(scan, region, options) : options.overlap_cells;
-  const float own_spacing = own_spacing_of(scan, region);
+  const float own_spacing = scan.follows_density ? median_of(scan.samples.spacing, region) : 0.0F;
   const int bridges = scan.follows_density ? kBridgeRings + kStepRings : 0;
   const double margin = (rings + bridges + kFitReachInSpacings) * options.spacing;
   PatchPoints points =

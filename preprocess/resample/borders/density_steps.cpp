@@ -11,9 +11,6 @@
 namespace relief {
 namespace {
 
-// A point is at a step if one of its neighbours has so many times smaller a spacing. Those of even
-// scans differ by less.
-constexpr float kStep = 3.0F;
 // A sparse point goes on from what lies within so many of its own spacings, as beyond other gaps.
 constexpr double kSparseGap = 4.0;
 // It lies within 45 degrees of outward, and near the tangent plane: what is behind is another
@@ -32,7 +29,7 @@ DensitySteps::DensitySteps(const SurfaceSamples& samples, const NeighbourGraph& 
   std::vector<std::uint8_t> at_step(count, 0);
   tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) {
     at_step[i] = has_neighbour(i, [&](std::uint32_t j) {
-      return samples.spacing[j] > 0.0F && kStep * samples.spacing[j] < samples.spacing[i];
+      return samples.spacing[j] > 0.0F && kDensityStep * samples.spacing[j] < samples.spacing[i];
     });
   });
   if (std::ranges::count(at_step, std::uint8_t{1}) == 0) return;

@@ -10,6 +10,10 @@
 
 namespace relief {
 
+/// At a step of density neighbours have spacings that differ by so much. Those of even scans differ
+/// by less.
+inline constexpr float kDensityStep = 3.0F;
+
 /// The sparse points at steps of density. The nearest points of one in a dense part are all dense,
 /// so the dense part seems to end there.
 class DensitySteps {

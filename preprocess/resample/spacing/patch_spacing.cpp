@@ -44,14 +44,6 @@ std::vector<float> spacings_of(const SurfaceSamples& samples, const std::vector<
   return spacings;
 }
 
-/// The median of a region's values.
-double median_of(const std::vector<float>& values, const Region& region) {
-  std::vector<float> own;
-  own.reserve(region.points.size());
-  for (const std::uint32_t i : region.points) own.push_back(values[i]);
-  return quantile(own, 0.5);
-}
-
 }  // namespace
 
 bool is_uneven(const SurfaceSamples& samples, const std::vector<Region>& regions) {
@@ -66,9 +58,9 @@ std::vector<double> spacing_factors(const SurfaceSamples& samples,
   const double usual = quantile(all, 0.5);
   const double finest = quantile(all, kFinestShare) / usual;
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
-    double factor = median_of(samples.spacing, regions[r]) / usual;
+    double factor = double{median_of(samples.spacing, regions[r])} / usual;
     if (factor > 1.0) {
-      const double roughness = median_of(samples.roughness, regions[r]) / (kRough * usual);
+      const double roughness = double{median_of(samples.roughness, regions[r])} / (kRough * usual);
       factor = std::max(1.0, factor / std::max(1.0, roughness));
       if (regions[r].points.size() < kFewPoints) factor = std::min(factor, kWidestOfFewPoints);
     }
