@@ -19,7 +19,7 @@ using glm::vec4;
 
 // Feature bits: with the number of lights, the key of a shader variant (renderer/gl/features.h,
 // which also lists what does not go together). They come only from the scene and the settings; each
-// says what it costs a frame that has it. 31 of 32 are in use. The lights are a word of their own,
+// says what it costs a frame that has it. All 32 are in use. The lights are a word of their own,
 // RELIEF_LIGHTS, so that the loop over them is known when a shader is compiled: a light more is a
 // highlight per fragment.
 
