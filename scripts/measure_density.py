@@ -16,11 +16,12 @@ scene, patches, samples, spacings and seconds. Needs numpy and open3d from PyPI.
 import argparse
 import json
 import pathlib
-import subprocess
 import time
 
 import numpy as np
 import open3d as o3d
+
+from run_command import run
 
 SEED = 20261127
 SCANNER = np.array([0.0, 0.0, 1.6])
@@ -69,16 +70,15 @@ def scan_of(mesh, step, noise):
     return SCANNER + rays[met] * (reach[met] + noise * random.standard_normal(met.sum()))[:, None]
 
 
-def run(*command):
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=True)
-    return json.loads(done.stdout)
+def report_of(*command):
+    return json.loads(run(*command, "--json"))
 
 
 def draw(relief, model, image, view, *options):
     turn, rise = np.radians(view)
     toward = SCANNER + [np.cos(rise) * np.cos(turn), np.cos(rise) * np.sin(turn), np.sin(rise)]
     run(relief, "render", model, "-o", image, "--size", "640x512", "--fov", "70", "--up", "z", "--material", "lit",
-        "--eye=" + ",".join(map(str, SCANNER)), "--target=" + ",".join(map(str, toward)), "--json", *options)
+        "--eye=" + ",".join(map(str, SCANNER)), "--target=" + ",".join(map(str, toward)), *options)
 
 
 def quality(arguments, model, *options):
@@ -87,7 +87,7 @@ def quality(arguments, model, *options):
     for k, view in enumerate(VIEWS):
         image = arguments.work / "view.exr"
         draw(arguments.relief, model, image, view, *options)
-        errors = run(arguments.relief, "compare", image, arguments.work / f"truth{k}.exr", "--json")
+        errors = report_of(arguments.relief, "compare", image, arguments.work / f"truth{k}.exr")
         squares.append(10 ** (-errors["psnr_db"] / 10))
         angles.append(errors["normal_rms_deg"] ** 2)
         holes += errors["holes"]
@@ -132,8 +132,8 @@ def main():
     for label, options in [("one spacing", ["--even-spacing"]), ("default", [])]:
         model = arguments.work / "scan.relief"
         begin = time.monotonic()
-        report = run(arguments.relief, "convert", scan, "-o", model, "--json",
-                     "--normals", "toward=" + ",".join(map(str, SCANNER)), *options)
+        report = report_of(arguments.relief, "convert", scan, "-o", model,
+                           "--normals", "toward=" + ",".join(map(str, SCANNER)), *options)
         seconds = time.monotonic() - begin
         print(f"| {label} | {quality(arguments, model)} | {report['patches']} | {report['samples']} | "
               f"{report['finest_spacing']:.3f} to {report['coarsest_spacing']:.3f} | {seconds:.1f} |", flush=True)

@@ -28,10 +28,15 @@ SpacingRange spacing_range(std::vector<float> spacings) {
           *sparse};
 }
 
-float median_of(const std::vector<float>& values, const Region& region) {
+std::vector<float> values_of(const std::vector<float>& values, const Region& region) {
   std::vector<float> own;
   own.reserve(region.points.size());
   for (const std::uint32_t i : region.points) own.push_back(values[i]);
+  return own;
+}
+
+float median_of(const std::vector<float>& values, const Region& region) {
+  std::vector<float> own = values_of(values, region);
   const auto middle = own.begin() + static_cast<std::ptrdiff_t>((own.size() - 1) / 2);
   std::nth_element(own.begin(), middle, own.end());
   return *middle;

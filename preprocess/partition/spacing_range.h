@@ -20,6 +20,9 @@ struct SpacingRange {
 /// of which the scan has few; by area alone, a small dense one.
 [[nodiscard]] SpacingRange spacing_range(std::vector<float> spacings);
 
+/// Returns what `values` say of a region's points, in their order.
+[[nodiscard]] std::vector<float> values_of(const std::vector<float>& values, const Region& region);
+
 /// Returns the median of what `values` say of a region's points, of which it has some.
 [[nodiscard]] float median_of(const std::vector<float>& values, const Region& region);
 

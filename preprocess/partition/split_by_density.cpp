@@ -28,10 +28,7 @@ struct Bands {
 };
 
 Bands bands_of(const SurfaceSamples& samples, const Region& region) {
-  std::vector<float> spacings;
-  spacings.reserve(region.points.size());
-  for (const std::uint32_t i : region.points) spacings.push_back(samples.spacing[i]);
-  const SpacingRange range = spacing_range(std::move(spacings));
+  const SpacingRange range = spacing_range(values_of(samples.spacing, region));
   if (region.points.size() < 2 * kFewestPiecePoints || range.ratio() <= kWidestDensityRatio)
     return {};
   const double width = std::log(range.ratio());

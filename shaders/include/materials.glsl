@@ -86,22 +86,23 @@ bool seen_from_behind = false;
 // the material, where there are several. An unlit one has no normal.
 vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) {
   vec3 colour = albedo;
+  vec3 facing = facing_normal(normal, ray, seen_from_behind);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
   MaterialInfo material = materials[index];
   int kind = int(material.constants.x);
   // Neighbours in an image may have other materials, so that lookups must not hang on the kind:
   // which copy of the environment they read follows from all of them.
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-  vec3 lit_colour = shade_lit(albedo, facing_normal(normal, ray, seen_from_behind), ray, depth, material.constants.z);
+  vec3 lit_colour = shade_lit(albedo, facing, ray, depth, material.constants.z);
   if (kind == kLit) colour = lit_colour;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
-  vec3 reflection = shade_mirror(facing_normal(normal, ray, seen_from_behind), ray, material.constants.z);
+  vec3 reflection = shade_mirror(facing, ray, material.constants.z);
   if (kind == kMirror) colour = reflection;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
   if (kind == kSplit) {
-    vec3 lit_light = shade_lit(albedo, facing_normal(normal, ray, seen_from_behind), ray, depth, -1.0);
+    vec3 lit_light = shade_lit(albedo, facing, ray, depth, -1.0);
     colour = split_view(frame, ray_or_position(ray), lit_light, reflection, stored_colour);
   }
 #endif
@@ -110,13 +111,12 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
   if (kind == kGlass) colour = transmission;
 #endif
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
-  vec3 facing = facing_normal(normal, ray, seen_from_behind);
   colour = split_view(frame, ray_or_position(ray), shade_lit(albedo, facing, ray, depth, -1.0),
                       shade_mirror(facing, ray, -1.0), stored_colour);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-  colour = shade_lit(albedo, facing_normal(normal, ray, seen_from_behind), ray, depth, -1.0);
+  colour = shade_lit(albedo, facing, ray, depth, -1.0);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
-  colour = shade_mirror(facing_normal(normal, ray, seen_from_behind), ray, -1.0);
+  colour = shade_mirror(facing, ray, -1.0);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
   colour = shade_glass(frame.material, normal, ray, depth);
 #endif

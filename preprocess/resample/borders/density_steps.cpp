@@ -11,11 +11,7 @@
 namespace relief {
 namespace {
 
-// A sparse point goes on from what lies within so many of its own spacings, as beyond other gaps.
-constexpr double kSparseGap = 4.0;
-// It lies within 45 degrees of outward, and near the tangent plane: what is behind is another
-// surface.
-constexpr double kAheadCosine = 0.7;
+// What goes on lies near the tangent plane: what is behind is another surface.
 constexpr double kSteepest = 0.5;
 
 }  // namespace
@@ -46,7 +42,7 @@ DensitySteps::DensitySteps(const SurfaceSamples& samples, const NeighbourGraph& 
     std::vector<glm::dvec3> positions;
     for (const std::uint32_t i : points) positions.push_back(samples.positions[i]);
     octaves_.push_back(
-        {kSparseGap * std::ldexp(1.0, exponent + 1), std::move(points), RadiusSearch(positions)});
+        {kWidestGap * std::ldexp(1.0, exponent + 1), std::move(points), RadiusSearch(positions)});
   }
 }
 
@@ -56,11 +52,11 @@ bool DensitySteps::go_on(std::uint32_t point, glm::dvec3 outward) const {
   return std::ranges::any_of(octaves_, [&](const Octave& octave) {
     return octave.search.any(from, octave.reach, [&](std::uint32_t found) {
       const std::uint32_t j = octave.points[found];
-      const double gap = kSparseGap * samples_.spacing[j];
+      const double gap = kWidestGap * samples_.spacing[j];  // its own: it is the sparser one
       const glm::dvec3 d = samples_.positions[j] - from;
       const double across = glm::dot(d, normal);
       const double within = glm::length(d - across * normal);
-      return glm::dot(d, d) <= gap * gap && glm::dot(d, outward) >= kAheadCosine * within &&
+      return glm::dot(d, d) <= gap * gap && glm::dot(d, outward) >= kGapCosine * within &&
              within > 0.0 && std::abs(across) <= kSteepest * within;
     });
   });

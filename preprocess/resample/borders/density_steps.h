@@ -10,6 +10,11 @@
 
 namespace relief {
 
+/// A gap within a surface is no border: there are points beyond it, within 45 degrees of outward
+/// and so many spacings.
+inline constexpr double kGapCosine = 0.7;
+inline constexpr double kWidestGap = 4.0;
+
 /// At a step of density neighbours have spacings that differ by so much. Those of even scans differ
 /// by less.
 inline constexpr float kDensityStep = 3.0F;

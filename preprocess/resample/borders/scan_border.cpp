@@ -26,11 +26,8 @@ constexpr double kEmptyReach = 2.5;
 constexpr double kWidestOther = 110.0 * kDegree;
 constexpr double kWidestEmpty = 290.0 * kDegree;
 
-// A gap within a surface is no border: there are points beyond it, within 45 degrees of outward and
-// so many spacings. Where a scanner sees a surface askew, its depths are in steps: over those it
-// is still a gap.
-constexpr double kGapCosine = 0.7;
-constexpr double kWidestGap = 4.0;
+// Where a scanner sees a surface askew, its depths are in steps: over those a gap is still one, so
+// many spacings wide.
 constexpr double kWidestStep = 10.0;
 
 // Normals turn by 45 degrees at a sharp edge, and what lies beyond it begins at most so many

@@ -47,9 +47,7 @@ Points plane_with_a_dense_corner(std::size_t sparse) {
 
 /// The ratio of a region's spacings.
 double density_ratio(const std::vector<float>& spacing, const Region& region) {
-  std::vector<float> own;
-  for (const std::uint32_t i : region.points) own.push_back(spacing[i]);
-  return spacing_range(std::move(own)).ratio();
+  return spacing_range(values_of(spacing, region)).ratio();
 }
 
 TEST(SpacingRange, SparsePartsOfFewPointsAndDensePartsOfLittleAreaShow) {

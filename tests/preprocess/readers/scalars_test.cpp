@@ -162,7 +162,6 @@ TEST(ScalarsOfLas, AreThoseOfEachPointRecordFormat) {
   }
 }
 
-/// The description of one number among a point's extra bytes.
 /// Two points with extra bytes, and their record.
 std::string with_record(const std::string& record, std::uint16_t extra_bytes) {
   return test::las_file_with_record(

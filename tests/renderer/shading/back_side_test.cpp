@@ -7,17 +7,12 @@
 #include "tests/renderer/scenes.h"
 #include "tests/renderer/view/orthographic.h"
 
-namespace relief {
+namespace relief::test {
 namespace {
-
-using test::by;
-using test::EngineMethod;
-using test::must_render;
-using test::values;
 
 /// A level square whose patch faces up, or down.
 PatchModel level_square(bool faces_down) {
-  PatchModel model = test::height_field(33, [](double /*x*/, double /*y*/) { return 0.0; });
+  PatchModel model = height_field(33, [](double /*x*/, double /*y*/) { return 0.0; });
   if (!faces_down) return model;
   const double side = (model.patches.front().width - 1) * model.patches.front().spacing;
   for (Patch& patch : model.patches) {
@@ -35,7 +30,7 @@ TEST_P(BackSide, IsShadedAsAFrontThere) {
   const PatchModel up = level_square(false);
   const PatchModel down = level_square(true);
   for (const double degrees : {10.0, 20.0, 30.0}) {
-    RenderSettings settings = by(GetParam(), test::small_image(up, {0.0, 0.0}));
+    RenderSettings settings = by(GetParam(), small_image(up, {0.0, 0.0}));
     const double angle = degrees * std::numbers::pi / 180.0;
     const glm::dvec3 middle = (up.bounds.min + up.bounds.max) / 2.0;
     const double distance = 2.5 * up.bounding_radius;
@@ -58,14 +53,14 @@ TEST_P(BackSide, IsShadedAsAFrontThere) {
 
 std::vector<EngineMethod> methods_that_know_the_side() {
   std::vector<EngineMethod> methods;
-  for (const EngineMethod& method : test::all_engine_methods()) {
+  for (const EngineMethod& method : all_engine_methods()) {
     if (method.engine == "onepass" || method.engine == "raytrace") methods.push_back(method);
   }
   return methods;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BackSide, testing::ValuesIn(methods_that_know_the_side()),
-                         test::name_of_method);
+                         name_of_method);
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::test
