@@ -120,6 +120,7 @@ void add_settings(const SceneSettings& options, CommandWords& words) {
   add_float("roughness", options.roughness);
   add_float("opacity", options.opacity);
   if (options.environment) words.option("env", options.environment->string());
+  add_number("env-rotation", options.environment_rotation_degrees);
   for (const Light& light : options.lights.value_or(std::vector<Light>())) {
     words.option("light", fmt::format("{}{},{}", light.kind == LightKind::Point ? "point:" : "",
                                       text_of(light.position), text_of(light.colour)));

@@ -55,6 +55,11 @@ bool is_same_behind(const RenderSettings& a, const RenderSettings& b) {
   return a.background == b.background && has_backdrop(a) == has_backdrop(b);
 }
 
+/// Whether it matters how the environment stands.
+bool sees_environment(const RenderSettings& settings) {
+  return reflects(settings) || has_backdrop(settings);
+}
+
 /// A material without the parameters that it does not use.
 MaterialSettings as_used(MaterialSettings material, const Lights& lights) {
   MaterialConstants used;
@@ -177,6 +182,9 @@ Result<SceneSettings> choose_options(const Commanded& commanded, const RenderSet
   if (view.engine != usual.engine) options.engine = view.engine;
   if (view.material != usual.material) options.material = view.material;
   if (view.environment != usual.environment) options.environment = view.environment;
+  if (sees_environment(view) &&
+      view.environment_rotation_degrees != usual.environment_rotation_degrees)
+    options.environment_rotation_degrees = view.environment_rotation_degrees;
   // What else the command does follows from these.
   RELIEF_TRY_ASSIGN(usual, commanded.with(options));
   choose_camera(commanded, usual, view, keeps_up, options);
@@ -204,6 +212,8 @@ std::vector<std::string> find_missing(const RenderSettings& view, const RenderSe
   check(!is_lit(view) || is_same(view.lights, made.lights),
         "the lights: --light adds some, but none take away those of a scene");
   check(view.environment == made.environment, "the environment: a scene's is not left out");
+  check(!sees_environment(view) || view.environment_stance == made.environment_stance,
+        "how the environment stands: beside --eye, --up is the camera's");
   check(is_same_behind(view, made), "the background: no sRGB colour has just this light");
   return missing;
 }

@@ -102,6 +102,7 @@ Result<RenderSettings> look_of(const ScenePlan& plan, const PlannedView& view,
   settings.lights.list = planned.lights.value_or(std::vector<Light>());
   settings.lights.ambient = planned.ambient.value_or(settings.lights.ambient);
   settings.environment = planned.environment.value_or(std::filesystem::path());
+  settings.environment_rotation_degrees = planned.environment_rotation_degrees.value_or(0.0);
   if (!settings.environment.empty() && uses(settings, Material::Lit))
     light_by_environment(planned, settings);
   if (planned.background) settings.background = planned.background->colour;
@@ -118,6 +119,7 @@ Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedVi
   if (!camera) return in_view(plan, view, camera.error());
   RELIEF_TRY_ASSIGN(RenderSettings settings, look_of(plan, view, among));
   settings.camera = *camera;
+  settings.environment_stance = stance_of(view.settings, extent);
   if (has_first_lights(plan, view, settings, among))
     settings.lights = first_lights(view.settings, extent);
   return settings;

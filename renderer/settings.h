@@ -13,6 +13,7 @@
 #include "common/scene/light.h"
 #include "common/scene/material.h"
 #include "common/scene/option.h"
+#include "common/stance.h"
 #include "renderer/clip/settings.h"
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/engines/multipass/settings.h"
@@ -39,6 +40,10 @@ struct RenderSettings {
   Lights lights;                      ///< for Lit
   std::filesystem::path environment;  ///< as load_environment takes it; for what reflects and as
                                       ///< backdrop
+  /// How the environment stands, and by how much it is turned about its up direction
+  /// (renderer/shading/standing_cube.h).
+  Stance environment_stance;
+  double environment_rotation_degrees = 0.0;
   /// Linear RGB; none: alpha 0 where nothing is seen.
   std::optional<glm::vec3> background{{0, 0, 0}};
   bool shows_environment = true;  ///< as backdrop, if there is a background for it to be

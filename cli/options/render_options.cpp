@@ -223,6 +223,9 @@ void add_material_options(CLI::App& sub, SceneSettings& settings) {
          "such as sky_{face}.hdr with px nx py ny pz nz for {face} (default: a built-in map, "
          "one colour for each direction, with a grid)")
       ->option_text("FILE");
+  add_number(sub, "--env-rotation", settings.environment_rotation_degrees, {-360.0, 360.0}, "DEG",
+             "Turn the environment about the model's up direction, counter-clockwise as seen from "
+             "above, in degrees, -360 to 360 (default 0: its middle is behind the model)");
 }
 
 void add_platform_option(CLI::App& sub, GlPlatform& platform) {

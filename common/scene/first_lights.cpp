@@ -29,7 +29,7 @@ constexpr float kHighlight = 0.03F;
 }  // namespace
 
 Lights first_lights(const SceneSettings& settings, const PatchModel& model) {
-  const Stance stance = stance_of(settings.up, model.stance);
+  const Stance stance = stance_of(settings, model);
   Lights lights;
   lights.ambient = settings.ambient.value_or(lights.ambient);
   if (model.is_closed || !is_flat(model, stance)) return lights;

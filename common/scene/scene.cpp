@@ -41,6 +41,7 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.lights, over.lights);
   take(base.ambient, over.ambient);
   take(base.environment, over.environment);
+  take(base.environment_rotation_degrees, over.environment_rotation_degrees);
   take(base.background, over.background);
   take(base.exposure, over.exposure);
   take(base.eye_dome, over.eye_dome);

@@ -41,6 +41,7 @@ struct SceneSettings : MaterialOverrides {
   std::optional<std::vector<Light>> lights;  ///< not empty
   std::optional<glm::vec3> ambient;          ///< linear
   std::optional<std::filesystem::path> environment;
+  std::optional<double> environment_rotation_degrees;  ///< counter-clockwise about what is up
   std::optional<Background> background;
   std::optional<double> exposure;  ///< stops, of a PNG
   std::optional<double> eye_dome;  ///< strength of eye-dome lighting

@@ -92,9 +92,9 @@ int read_count(JsonValues& values, const JsonNode& node, NumberChoice range,
 
 std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys,
                                                 const EngineKeys& engines) {
-  for (const char* key :
-       {"size", "orbit", "view", "eye", "target", "up", "roll", "zoom", "fov", "orthographic",
-        "env", "background", "edl", "outputs", "lights", "ambient", "exposure", "engine"})
+  for (const char* key : {"size", "orbit", "view", "eye", "target", "up", "roll", "zoom", "fov",
+                          "orthographic", "env", "env_rotation", "background", "edl", "outputs",
+                          "lights", "ambient", "exposure", "engine"})
     keys.emplace_back(key);
   for (const OptionRow& row : engines.options) keys.emplace_back(row.key);
   keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
@@ -171,6 +171,7 @@ SceneSettings read_settings(JsonValues& values, const JsonNode& object,
   read("env", settings.environment, [&](const JsonNode& node) {
     return read_path(values, node, context.folder, "the name of an environment map, EXR or HDR");
   });
+  read("env_rotation", settings.environment_rotation_degrees, with(read_angle));
   read("background", settings.background, with(read_background));
   read("outputs", settings.outputs, with(read_outputs));
   read("edl", settings.eye_dome, [&values](const JsonNode& node) {

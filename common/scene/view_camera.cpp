@@ -40,7 +40,7 @@ Camera camera_on_orbit(const SceneSettings& settings, const PatchModel& model, c
   const double aspect = aspect_of(settings);
   Camera camera = orbit_camera(middle_of(model), radius_of(model), orbit,
                                settings.fov_degrees.value_or(kDefaultFieldOfView), aspect,
-                               stance_of(settings.up, model.stance));
+                               stance_of(settings, model));
   if (!settings.orthographic) return camera;
   const auto points = points_to_frame(model);
   camera.orthographic_height =
@@ -68,12 +68,16 @@ Result<Camera> camera_at_eye(const SceneSettings& settings, const PatchModel& mo
 /// is flat, such as terrain, obliquely from above; anything else from the front, a little from the
 /// side and above.
 Orbit first_orbit(const SceneSettings& settings, const PatchModel& model) {
-  const Stance stance = stance_of(settings.up, model.stance);
+  const Stance stance = stance_of(settings, model);
   if (stance.is_from_sensor) return {};
   return is_flat(model, stance) ? kFlatOrbit : kBodyOrbit;
 }
 
 }  // namespace
+
+Stance stance_of(const SceneSettings& settings, const PatchModel& model) {
+  return settings.eye ? model.stance : stance_of(settings.up, model.stance);
+}
 
 bool is_flat(const PatchModel& model, const Stance& stance) {
   if (stance.is_from_sensor) return false;

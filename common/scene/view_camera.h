@@ -9,6 +9,7 @@
 #include "common/patch.h"
 #include "common/scene/camera.h"
 #include "common/scene/scene.h"
+#include "common/stance.h"
 
 namespace relief {
 
@@ -21,6 +22,10 @@ namespace relief {
 /// orthographic camera without a height sees the model just whole. `roll_degrees` and `zoom` come
 /// last. Fails, with a clause, if the eye is where it looks.
 Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model);
+
+/// How the model stands: as `settings` say by their up direction, unless that is an eye's, which a
+/// camera that rolls has, too.
+[[nodiscard]] Stance stance_of(const SceneSettings& settings, const PatchModel& model);
 
 /// Whether a model lies flat, as terrain does: it is far wider and deeper than high. Never what is
 /// seen from one sensor.

@@ -42,12 +42,12 @@ std::vector<glm::vec3> composite(const Film& film, const Surroundings& surroundi
     colours[k] = glm::vec3(pixel.colour);
     if (!surroundings.background || pixel.colour.a >= 1.0F) continue;
     glm::vec3 behind = *surroundings.background;
-    if (surroundings.cube != nullptr) {
+    if (surroundings.environment.cube != nullptr) {
       const std::size_t x = k % film.width;
       const std::size_t row = k / film.width;  // from the top; the window's are from the bottom
       const glm::dvec2 middle(static_cast<double>(x) + 0.5,
                               static_cast<double>(film.height - row) - 0.5);
-      behind = look_up(*surroundings.cube, ray_through(view, middle));
+      behind = look_up(surroundings.environment, ray_through(view, middle));
     }
     colours[k] = film.blends_encoded ? mixed_encoded(pixel.colour, behind)
                                      : colours[k] + (1.0F - pixel.colour.a) * behind;
@@ -59,10 +59,10 @@ std::vector<glm::vec3> composite(const Film& film, const Surroundings& surroundi
 
 Result<Surroundings> surroundings_of(const RenderSettings& settings,
                                      EnvironmentCache& environments) {
-  Surroundings surroundings{nullptr, settings.background};
+  Surroundings surroundings{{}, settings.background};
   if (!has_backdrop(settings)) return surroundings;
   RELIEF_TRY_ASSIGN(const auto cube, environments.get(settings.environment));
-  surroundings.cube = cube;
+  surroundings.environment = {cube, environment_from_world(settings)};
   return surroundings;
 }
 

@@ -11,8 +11,8 @@
 
 #include "common/image/image.h"
 #include "renderer/settings.h"
-#include "renderer/shading/cube_map.h"
 #include "renderer/shading/environment_cache.h"
+#include "renderer/shading/standing_cube.h"
 #include "renderer/view/view.h"
 
 namespace relief {
@@ -37,9 +37,9 @@ struct Film {
   bool blends_encoded = false;
 };
 
-/// What lies behind the model: the environment if `cube` is there, else a colour, else nothing.
+/// What lies behind the model: the environment if it has a cube, else a colour, else nothing.
 struct Surroundings {
-  const CubeMap* cube = nullptr;
+  StandingCube environment;
   std::optional<glm::vec3> background;  ///< linear; none: alpha stays the coverage
 };
 

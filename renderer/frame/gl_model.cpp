@@ -11,6 +11,7 @@
 #include "renderer/shading/environment_cache.h"
 #include "renderer/shading/materials.h"
 #include "renderer/shading/rough_environment.h"
+#include "renderer/shading/standing_cube.h"
 #include "renderer/view/cull_mode.h"
 #include "renderer/view/uniforms.h"
 
@@ -73,6 +74,7 @@ Result<GlFrame> GlModel::make_frame(const RenderSettings& settings, const Raster
     RELIEF_TRY_ASSIGN(const auto irradiance, cubes_->irradiance(settings.environment));
     std::ranges::copy(irradiance, uniforms.irradiance);
   }
+  set_environment(uniforms, environment_from_world(settings));
   uniforms.material = info_of(materials_of(settings).front(), {});
   GlFrame frame{
       .view = view,

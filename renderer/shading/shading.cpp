@@ -16,8 +16,8 @@ glm::vec3 shade_glass(const LitMaterial& material, const SeenSurface& surface) {
   const MaterialConstants& constants = material.settings.constants;
   const shared::SplitRay split = shared::split_ray(surface.normal, surface.ray, constants.ior);
   return shared::glass(split, constants.absorption,
-                       look_up(*material.cube, glm::dvec3(split.reflected)),
-                       look_up(*material.cube, glm::dvec3(split.refracted)));
+                       look_up(material.environment, glm::dvec3(split.reflected)),
+                       look_up(material.environment, glm::dvec3(split.refracted)));
 }
 
 }  // namespace
@@ -29,13 +29,15 @@ Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
     RELIEF_TRY_ASSIGN(const auto irradiance, environments.irradiance(settings.environment));
     std::ranges::copy(irradiance, lighting.frame.irradiance);
   }
+  const glm::dmat3 from_world = environment_from_world(settings);
+  set_environment(lighting.frame, from_world);
   for (const MaterialSettings& material : materials_of(settings)) {
-    lighting.materials.push_back({material, nullptr});
+    lighting.materials.push_back({material});
     if (material.kind == Material::Unlit) continue;
     if (material.kind == Material::Lit && !settings.lights.from_environment) continue;
     RELIEF_TRY_ASSIGN(const auto cube,
                       environments.get(settings.environment, roughness_of(material)));
-    lighting.materials.back().cube = cube;
+    lighting.materials.back().environment = {cube, from_world};
   }
   return lighting;
 }
@@ -56,13 +58,13 @@ glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurfac
     return shared::facing_normal(surface.normal, surface.ray, surface.from_behind);
   };
   const auto mirror = [&] {
-    assert(own.cube != nullptr && "a mirror has something to reflect");
-    return look_up(*own.cube, glm::dvec3(glm::reflect(surface.ray, facing())));
+    assert(own.environment.cube != nullptr && "a mirror has something to reflect");
+    return look_up(own.environment, glm::dvec3(glm::reflect(surface.ray, facing())));
   };
   const auto lit = [&] {
     const glm::vec3 direct = shared::lit(lighting.frame, lighting.lights, surface.albedo, facing(),
                                          surface.ray, surface.position);
-    if (own.settings.kind != Material::Lit || own.cube == nullptr) return direct;
+    if (own.settings.kind != Material::Lit || own.environment.cube == nullptr) return direct;
     return direct + shared::lit_by_environment(lighting.frame, surface.albedo, facing(),
                                                surface.ray, mirror());
   };
@@ -78,7 +80,7 @@ glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurfac
           lighting.frame, lighting.frame.ray_along.w > 0.0F ? surface.position : surface.ray, lit(),
           mirror(), shared::stored_samples(surface.uv, surface.patch - 1));
     case Material::Glass:
-      assert(own.cube != nullptr && "glass has something to refract");
+      assert(own.environment.cube != nullptr && "glass has something to refract");
       return shade_glass(own, surface);
   }
   return surface.albedo;

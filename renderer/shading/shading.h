@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "renderer/settings.h"
-#include "renderer/shading/cube_map.h"
 #include "renderer/shading/environment_cache.h"
+#include "renderer/shading/standing_cube.h"
 #include "renderer/view/view.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
 
-/// A material and the environment that it reflects, null if it reflects none.
+/// A material and the environment that it reflects, without a cube if it reflects none.
 struct LitMaterial {
   MaterialSettings settings;
-  const CubeMap* cube = nullptr;
+  StandingCube environment = {};
 };
 
 /// What surfaces are shaded with. Nothing is owned.

@@ -11,7 +11,7 @@ layout(location = RELIEF_OUT_PATCH) out uint out_patch;
 
 void main() {
   vec3 ray = ray_through(gl_FragCoord.xy);
-  out_colour = vec4(texture(environment, ray).rgb, 0.0);
+  out_colour = vec4(texture(environment, to_environment(frame, ray)).rgb, 0.0);
   out_normal = vec4(0.0);
   out_depth = uintBitsToFloat(0x7F800000u);  // infinity
   out_uv = vec2(0.0);

@@ -1,5 +1,6 @@
-// The surroundings as a cube map of linear light, world directions.
-#include "include/shared.h"
+// The surroundings as a cube map of linear light. The frame's uniforms, from whichever block they are,
+// are `frame`.
+#include "include/shading.h"
 
 layout(binding = RELIEF_TEXTURE_ENVIRONMENT) uniform samplerCube environment;
 
@@ -77,9 +78,10 @@ EnvironmentLookups environment_lookups(vec3 along, float size) {
 }
 #endif
 
-// The body of a function of a direction `along`: what a pixel sees of `environments` there. `position`
-// says where in them it is that `direction` looks.
+// The body of a function of a direction `along` of the world: what a pixel sees of `environments`
+// there. `position` says where in them it is that `direction` looks.
 #define RELIEF_SEE(environments, position)                                                      \
+  along = to_environment(frame, along);                                                         \
   EnvironmentLookups lookups =                                                                  \
       environment_lookups(along, float(textureSize(environments, 0).x));                        \
   vec3 first = along - 0.5 * (lookups.count - 1.0) * lookups.step;                              \

@@ -76,10 +76,18 @@ RELIEF_FUNCTION vec3 lit(Frame frame, int lights, vec3 albedo, vec3 normal, vec3
 }
 #endif
 
+/// A direction of the world in the frame of the environment.
+RELIEF_FUNCTION vec3 to_environment(Frame frame, vec3 direction) {
+  return direction.x * vec3(frame.environment_from_world[0]) +
+         direction.y * vec3(frame.environment_from_world[1]) +
+         direction.z * vec3(frame.environment_from_world[2]);
+}
+
 #if RELIEF_ENVIRONMENT_LIGHT
 /// The light that a white surface scatters under the frame's environment: nine spherical harmonics
 /// (Ramamoorthi and Hanrahan 2001, Eq. 13, over pi). Their error is 1 % of the mean on average.
-RELIEF_FUNCTION vec3 scattered(Frame frame, vec3 n) {
+RELIEF_FUNCTION vec3 scattered(Frame frame, vec3 normal) {
+  vec3 n = to_environment(frame, normal);
   vec3 sum = vec3(frame.irradiance[0]) + n.y * vec3(frame.irradiance[1]) +
              n.z * vec3(frame.irradiance[2]) + n.x * vec3(frame.irradiance[3]) +
              (n.x * n.y) * vec3(frame.irradiance[4]) + (n.y * n.z) * vec3(frame.irradiance[5]) +

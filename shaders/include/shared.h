@@ -511,7 +511,9 @@ struct Frame {
   vec4 light_ambient;               ///< w: how much of each light a highlight shows
   vec4 light_position[kMaxLights];  ///< world; w 0: toward the light, 1: where it is from the eye
   vec4 light_colour[kMaxLights];
-  vec4 irradiance[9];     ///< of the environment, in spherical harmonics (irradiance.h)
+  vec4 irradiance[9];  ///< of the environment, in spherical harmonics (irradiance.h)
+  /// Where the axes of the world are in the environment's frame; w is 0 (standing_cube.h).
+  vec4 environment_from_world[3];
   MaterialInfo material;  ///< the image's, if it has but one
 };
 
@@ -525,6 +527,6 @@ static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) =
 static_assert(sizeof(ProxyVertex) == 16 && sizeof(ProxySource) == 8 && sizeof(SeamVertex) == 32);
 static_assert(sizeof(PointFrame) == 80);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
-static_assert(sizeof(Frame) == 272 + 32 * kMaxLights && offsetof(Frame, light_position) == 96);
+static_assert(sizeof(Frame) == 320 + 32 * kMaxLights && offsetof(Frame, light_position) == 96);
 }  // namespace relief::shared
 #endif

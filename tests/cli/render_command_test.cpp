@@ -174,6 +174,8 @@ TEST_F(CommandLine, MakesTheSameImageInAnEnvironment) {
   view_.material = Material::Mirror;
   view_.constants = {};
   expect_same("and is reflected");
+  view_.environment_rotation_degrees = 77.5;
+  expect_same("and is turned");
 }
 
 TEST_F(CommandLine, MakesTheSameImageByOtherEngines) {

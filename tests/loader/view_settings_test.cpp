@@ -51,5 +51,24 @@ TEST(LightsOfAView, AreTheEnvironmentIfThereIsOne) {
   EXPECT_TRUE(lights.list.empty());
 }
 
+/// How an environment stands about a terrain, whose Z is up.
+Stance standing(const SceneSettings& settings) {
+  ScenePlan plan = plan_of(1);
+  plan.views.front().settings = settings;
+  const auto made = render_settings_of(plan, plan.views.front(), terrain());
+  EXPECT_TRUE(made);
+  return made ? made->environment_stance : Stance();
+}
+
+TEST(EnvironmentOfAView, StandsAsTheModelDoes) {
+  SceneSettings settings;
+  EXPECT_EQ(standing(settings), kZUp);
+  settings.up = glm::dvec3(0.0, 1.0, 0.0);
+  EXPECT_EQ(standing(settings), Stance{});
+  // The up direction of an eye says how the camera is held.
+  settings.eye = glm::dvec3(3.0);
+  EXPECT_EQ(standing(settings), kZUp);
+}
+
 }  // namespace
 }  // namespace relief

@@ -97,6 +97,8 @@ void add_lights(const LookInForce& a, const LookInForce& b, Collector& found) {
 
 void add_light(const LookInForce& a, const LookInForce& b, Collector& found) {
   found.add("environment", environment_of(a.drawn), environment_of(b.drawn));
+  found.add("environment's rotation", a.asked.environment_rotation_degrees.value_or(0.0),
+            b.asked.environment_rotation_degrees.value_or(0.0));
   if (shows(a.drawn, b.drawn, Material::Lit)) add_lights(a, b, found);
   found.add("eye dome", a.drawn.eye_dome, b.drawn.eye_dome);
   if (a.asked.background || b.asked.background)

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr NumberChoice kAmbients{0.0, 1.0};
+constexpr NumberChoice kRotations{-180.0, 180.0};
 
 bool is_environment(const fs::path& path) {
   return has_extension(path, {".exr", ".hdr"});
@@ -55,6 +56,10 @@ void environment_rows(const PanelContext& panel) {
   } else if (chosen) {
     choose_environment(files[*chosen], panel);
   }
+  panel.session.look_changed |=
+      number_row({"Rotation", "Of the environment, about the model's up direction", kRotations, 0.0,
+                  "%.0f\xC2\xB0"},
+                 look.environment_rotation_degrees);
   const auto typed = show_path_field({"environment", "Path of an .exr or .hdr", is_environment},
                                      panel.state.environment);
   if (!typed) return;

@@ -12,8 +12,7 @@ constexpr double kMaxLookups = 4.0;  // along each side of a pixel
 /// Lookups along each side of a pixel: one per texel that the reflection moves by across it. It
 /// turns twice as far as the normal; a texel is 2 / size of a face. (What is refracted turns less.)
 int lookups_of(const Surface& surface, const Lighting& lighting) {
-  const std::vector<LitMaterial>& all = lighting.materials;
-  const CubeMap* const cube = (all.size() == 1 ? all.front() : all[surface.material]).cube;
+  const CubeMap* const cube = lit_material(lighting, surface.material).environment.cube;
   if (cube == nullptr) return 1;
   double change = 0.0;
   for (const glm::dvec3& c : surface.changes) change = std::max(change, glm::length(c));

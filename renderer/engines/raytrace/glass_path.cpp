@@ -14,7 +14,7 @@ constexpr float kMinShare = 2.5e-4F;
 }  // namespace
 
 glm::vec3 light_through(const GlassBody& body, SightRay ray) {
-  const auto seen = [&body](glm::dvec3 direction) { return look_up(*body.environment, direction); };
+  const auto seen = [&body](glm::dvec3 direction) { return look_up(body.environment, direction); };
   glm::vec3 light(0.0F);
   glm::vec3 share(1.0F);  // of what comes along the ray
   for (int reflections = 0; reflections <= kMaxReflections; ++reflections) {

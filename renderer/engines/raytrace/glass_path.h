@@ -6,7 +6,7 @@
 #include "common/scene/material.h"
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/geometry/triangle_mesh.h"
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/standing_cube.h"
 
 namespace relief::raytrace {
 
@@ -18,7 +18,7 @@ inline constexpr int kMaxReflections = 32;
 struct GlassBody {
   const TriangleMesh* mesh = nullptr;
   const EmbreeScene* scene = nullptr;  ///< built for rays that start anywhere
-  const CubeMap* environment = nullptr;
+  StandingCube environment;
   MaterialConstants constants;
   double diameter = 1.0;  ///< world units; what the absorption is over
 };

@@ -72,9 +72,10 @@ glm::vec3 Tracer::shade_body(const Hit& at, const SightRay& ray,
   const glm::vec3 direction(glm::normalize(ray.direction));
   const shared::SplitRay split = shared::split_ray(normal_at(*mesh_, at), direction, constants.ior);
   const glm::vec3 passed =
-      light_through({mesh_, scene_, material.cube, constants, body_at(bodies_, *mesh_, at)},
+      light_through({mesh_, scene_, material.environment, constants, body_at(bodies_, *mesh_, at)},
                     {ray.start + at.depth * ray.direction, glm::dvec3(split.refracted)});
-  return glm::mix(passed, look_up(*material.cube, glm::dvec3(split.reflected)), split.reflectance);
+  return glm::mix(passed, look_up(material.environment, glm::dvec3(split.reflected)),
+                  split.reflectance);
 }
 
 glm::vec4 Tracer::shade_at(const Hit& at, const SightRay& ray) const {

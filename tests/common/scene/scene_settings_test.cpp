@@ -61,13 +61,14 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.lights = std::vector<Light>(1);
   over.ambient = glm::vec3(1);
   over.environment = "sky.hdr";
+  over.environment_rotation_degrees = 30.0;
   over.background = Background{};
   over.outputs = Outputs{};
   const SceneSettings both = overlay({}, over);
   EXPECT_TRUE(both.size && both.eye && both.target && both.up && both.fov_degrees && both.engine &&
               !both.options.empty() && both.material && both.lights && both.ambient && both.ior &&
               both.absorption && both.roughness && both.exposure && both.environment &&
-              both.background && both.outputs);
+              both.environment_rotation_degrees && both.background && both.outputs);
 }
 
 TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {

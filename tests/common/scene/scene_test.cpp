@@ -68,7 +68,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
       {"file": "/b.ply", "transform": {"translation": [1, -2.5, 3e2],
                                        "rotation": {"axis": [0, 0, 2], "degrees": 90}, "scale": 2}}
     ],
-    "size": [640, 480], "fov": 30, "engine": "lines", "shape": "square", "dot-size": 1.5, "passes": 3, "material": "mirror", "env": "sky.hdr",
+    "size": [640, 480], "fov": 30, "engine": "lines", "shape": "square", "dot-size": 1.5, "passes": 3, "material": "mirror", "env": "sky.hdr", "env_rotation": -30,
     "lights": [{"direction": [0, 3, 4]},
                {"position": [1, 2, 3], "colour": [1, 0.5, 0], "intensity": 8}], "ambient": [0, 0.5, 2],
     "ior": 1.25, "absorption": [1, 0, 100], "roughness": 0.5, "interfaces": 1, "exposure": -1.5,
@@ -106,6 +106,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.interfaces, 1);
   EXPECT_EQ(all.exposure, -1.5);
   EXPECT_EQ(all.environment, folder_ / "sky.hdr");
+  EXPECT_EQ(all.environment_rotation_degrees, -30.0);
   ASSERT_EQ(all.lights->size(), 2U);
   EXPECT_EQ((*all.lights)[0].kind, LightKind::Directional);
   EXPECT_LT(glm::distance((*all.lights)[0].position, glm::dvec3(0, 0.6, 0.8)), 1e-15);

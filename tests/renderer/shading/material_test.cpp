@@ -16,11 +16,13 @@
 #include "renderer/frame/features.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/images.h"
+#include "tests/renderer/shading/smooth_environment.h"
 
 namespace relief {
 namespace {
 
 using test::must_render;
+using test::SmoothEnvironment;
 using test::values;
 
 /// What an image shows besides the model.
@@ -96,37 +98,6 @@ std::vector<int> differences(const Image& a, const Image& b) {
   std::sort(all.begin(), all.end());
   return all;
 }
-
-/// An environment file without edges, so that one lookup a pixel is as good as many.
-class SmoothEnvironment {
- public:
-  SmoothEnvironment()
-      : path_(std::filesystem::temp_directory_path() /
-              ("relief-smooth-" + std::to_string(::getpid()) + ".exr")) {
-    Image image{128, 64, {}};
-    const char* const names[] = {"R", "G", "B"};
-    for (int c = 0; c < 3; ++c) {
-      Channel channel{names[c], ChannelType::Float, {}};
-      for (int y = 0; y < 64; ++y) {
-        for (int x = 0; x < 128; ++x) {
-          const double across = 2.0 * std::acos(-1.0) * (x + 0.5) / 128;
-          const double down = std::acos(-1.0) * (y + 0.5) / 64;
-          channel.values.push_back(static_cast<float>(
-              0.5 + 0.3 * std::sin(down) * std::cos(across + 2.0 * c) + 0.15 * std::cos(down)));
-        }
-      }
-      image.channels.push_back(std::move(channel));
-    }
-    EXPECT_TRUE(write_exr(path_, image));
-  }
-  ~SmoothEnvironment() { std::filesystem::remove(path_); }
-  SmoothEnvironment(const SmoothEnvironment&) = delete;
-  SmoothEnvironment& operator=(const SmoothEnvironment&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Normals of the sphere are interpolated over half a cell by the one and a cell by the other, half
 /// floats round by a part in 2048: a step or two of 8 bits. Near the silhouette, in a tenth of the

@@ -122,7 +122,7 @@ TEST(Shading, MirrorReflectsTheEnvironment) {
     cube.faces[face] = {glm::vec3(static_cast<float>(face))};
   // At 45 degrees what comes straight down goes to +X, from a level mirror it goes back to +Z.
   Lighting lighting = one_light(Material::Mirror);
-  lighting.materials[0].cube = &cube;
+  lighting.materials[0].environment.cube = &cube;
   const auto face_seen = [&lighting](double degrees) {
     return shade_grey(lighting, leaning(degrees)).x;
   };

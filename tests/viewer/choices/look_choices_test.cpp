@@ -194,6 +194,9 @@ TEST(Differences, NameLightAndExposure) {
   brighter.exposure = 1.5;
   EXPECT_EQ(texts(a, b, {}, brighter),
             (std::vector<std::string>{"environment: built-in | studio", "exposure: 0 | 1.5"}));
+  SceneSettings turned;
+  turned.environment_rotation_degrees = 30.0;
+  EXPECT_EQ(texts(b, b, {}, turned), (std::vector<std::string>{"environment's rotation: 0 | 30"}));
   brighter.lights = b.lights.list = {Light{}};
   EXPECT_EQ(texts(a, b, {}, brighter),
             (std::vector<std::string>{"environment: built-in | studio",

@@ -43,8 +43,8 @@ class Prepared final : public PreparedModel {
     }
     RenderResult result;
     result.renderer = "toy";
-    result.image = develop(film, {nullptr, settings.background}, view, settings.outputs,
-                           result.covered_pixels);
+    result.image =
+        develop(film, {{}, settings.background}, view, settings.outputs, result.covered_pixels);
     return result;
   }
 
