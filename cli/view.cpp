@@ -16,14 +16,12 @@
 #include "cli/options/render_options.h"
 #include "cli/options/texture_options.h"
 #include "cli/options/values.h"
+#include "common/heap.h"
 #include "common/scene/scene.h"
 #include "loader/load_volume.h"
 #include "loader/stream/streamed_patches.h"
 #ifdef RELIEF_HAS_VIEWER
 #include "viewer/viewer.h"
-#endif
-#ifdef __GLIBC__
-#include <malloc.h>
 #endif
 
 namespace relief::cli {
@@ -58,13 +56,7 @@ constexpr const char* kViewFooter =
 
 #ifdef RELIEF_HAS_VIEWER
 int run_view(const ViewArguments& arguments) {
-#ifdef __GLIBC__
-  // Blocks from 256 KB on go back to the system when they are freed. By default glibc raises that
-  // limit up to 32 MB, and keeps gaps that it can't fill: with tiles that come and go the window
-  // had a seventh more memory. Smaller blocks would cost time: Mesa's software renderer takes some
-  // of 64 KB for each frame.
-  mallopt(M_MMAP_THRESHOLD, 256 << 10);
-#endif
+  return_large_blocks();
   ViewerOptions options;
   options.files = arguments.files;
   options.settings = arguments.settings;

@@ -20,6 +20,7 @@
 
 namespace relief {
 
+class CollectedStore;
 class EnvironmentCache;
 class OpenGl;
 class PatchPool;
@@ -54,6 +55,8 @@ struct PrepareRequest {
   /// The patches on the GPU, if they come and go: `model` then has none, and says what is known of
   /// all. Outlives what is prepared.
   const PatchPool* pool = nullptr;
+  /// Of the model for these views, collected before on another thread; used up. Null: is done now.
+  CollectedStore* collected = nullptr;
 };
 
 /// Whether an engine can do something: never, always, or with some primitives only.

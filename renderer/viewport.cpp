@@ -90,21 +90,23 @@ Viewport::~Viewport() = default;
 
 Result<std::unique_ptr<Viewport>> Viewport::create(const GlLoader& load, const RenderModel& model,
                                                    std::span<const RenderSettings> looks,
-                                                   std::span<const EngineEntry> among) {
-  return make(load, model, nullptr, looks, among);
+                                                   std::span<const EngineEntry> among,
+                                                   CollectedStore* collected) {
+  return make(load, model, nullptr, looks, among, collected);
 }
 
 Result<std::unique_ptr<Viewport>> Viewport::create(const GlLoader& load, const PatchModel& model,
                                                    const PatchPool& pool,
                                                    std::span<const RenderSettings> looks,
                                                    std::span<const EngineEntry> among) {
-  return make(load, RenderModel::of(model), &pool, looks, among);
+  return make(load, RenderModel::of(model), &pool, looks, among, nullptr);
 }
 
 Result<std::unique_ptr<Viewport>> Viewport::make(const GlLoader& load, const RenderModel& model,
                                                  const PatchPool* pool,
                                                  std::span<const RenderSettings> looks,
-                                                 std::span<const EngineEntry> among) {
+                                                 std::span<const EngineEntry> among,
+                                                 CollectedStore* collected) {
   std::unique_ptr<Viewport> made(new Viewport);
   RELIEF_TRY_ASSIGN(made->opengl_, OpenGl::adopt(load));
   made->environments_ = std::make_shared<EnvironmentCache>();
@@ -121,9 +123,27 @@ Result<std::unique_ptr<Viewport>> Viewport::make(const GlLoader& load, const Ren
                                                               .opengl = made->opengl_,
                                                               .environments = made->environments_,
                                                               .levels = KeptLevels::All,
-                                                              .pool = pool}));
+                                                              .pool = pool,
+                                                              .collected = collected}));
   }
   return made;
+}
+
+Result<std::unique_ptr<CollectedStore>> collect_for_viewport(const RenderModel& model,
+                                                             std::span<const RenderSettings> looks,
+                                                             const StoreLimits& limits,
+                                                             const std::stop_token& stop,
+                                                             std::span<const EngineEntry> among) {
+  RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_named(looks.front().engine, among));
+  const auto* const patches = model.find<PatchModel>();
+  const bool is_one = std::ranges::all_of(
+      looks, [&](const RenderSettings& look) { return look.engine == engine->name; });
+  if (!is_one || patches == nullptr || engine->forms.front() != ModelForm::Patches ||
+      engine->features == nullptr)
+    return std::unique_ptr<CollectedStore>();
+  const StoreNeeds needs = needs_of(looks, ModelMaps(*patches), engine->features);
+  return CollectedStore::collect(limits, *patches,
+                                 GlModel::order_for(*patches, looks, needs, KeptLevels::All), stop);
 }
 
 StoreNeeds pool_needs(const PatchModel& model, std::span<const RenderSettings> looks,

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 
 #include "common/error.h"
@@ -15,10 +16,12 @@
 #include "renderer/model.h"
 #include "renderer/settings.h"
 #include "renderer/store/patch_store.h"
+#include "renderer/store/store_limits.h"
 #include "renderer/view/view.h"
 
 namespace relief {
 
+class CollectedStore;
 class EnvironmentCache;
 class GlPreparedModel;
 class OpenGl;
@@ -58,11 +61,13 @@ class Viewport {
  public:
   /// Uploads the model, which must outlive the viewport. `looks`: the engines, primitives,
   /// interpolations, materials, lights and outputs that draw() will be given; their cameras and
-  /// sizes do not matter. Fails if OpenGL is older than 4.5 or lacks memory, or an engine of
-  /// `looks` does not draw this model with OpenGL.
+  /// sizes do not matter. `collected`: what collect_for_viewport() made of them, used up. Fails if
+  /// OpenGL is older than 4.5 or lacks memory, or an engine of `looks` does not draw this model
+  /// with OpenGL.
   static Result<std::unique_ptr<Viewport>> create(const GlLoader& load, const RenderModel& model,
                                                   std::span<const RenderSettings> looks,
-                                                  std::span<const EngineEntry> among = engines());
+                                                  std::span<const EngineEntry> among = engines(),
+                                                  CollectedStore* collected = nullptr);
 
   /// The same for a model whose patches come and go. `pool` has them, was made in the same context
   /// for what the looks need (pool_needs()), and outlives the viewport; `model` has no patches, and
@@ -119,7 +124,8 @@ class Viewport {
   static Result<std::unique_ptr<Viewport>> make(const GlLoader& load, const RenderModel& model,
                                                 const PatchPool* pool,
                                                 std::span<const RenderSettings> looks,
-                                                std::span<const EngineEntry> among);
+                                                std::span<const EngineEntry> among,
+                                                CollectedStore* collected);
   Result<PreparedModel*> prepared_for(const RenderSettings& view) const;
   /// Of an engine that draws parts.
   Result<GlPreparedModel*> engine_for(const RenderSettings& view) const;
@@ -139,5 +145,12 @@ class Viewport {
 /// that differ in nothing but material, lights and outputs.
 [[nodiscard]] StoreNeeds pool_needs(const PatchModel& model, std::span<const RenderSettings> looks,
                                     std::span<const EngineEntry> among = engines());
+
+/// Collects what Viewport::create() uploads for these looks: nearly all of its work, on any thread,
+/// without OpenGL. Null where create() has to do it all: for several engines, and for those that
+/// draw no patches. The model outlives it. Fails as create() does, or if it is stopped.
+Result<std::unique_ptr<CollectedStore>> collect_for_viewport(
+    const RenderModel& model, std::span<const RenderSettings> looks, const StoreLimits& limits,
+    const std::stop_token& stop = {}, std::span<const EngineEntry> among = engines());
 
 }  // namespace relief

@@ -9,6 +9,27 @@
 
 namespace relief {
 
+namespace {
+
+Status show(std::shared_ptr<const LoadedScene> scene, CollectedStore* collected, bool is_first,
+            Display& display, Session& session) {
+  if (is_first)
+    start_camera(session, scene->patches);
+  else
+    session.navigator.set_model(without_patches(scene->patches), true);
+  return display.show(std::move(scene), session, collected);
+}
+
+/// The samples of a scene as points, in place of the scene of other files.
+Status show_samples(const LoadedScene& scene, Display& display, Session& session) {
+  display.show_nothing(session);
+  const ScanPoints samples = scan_points_of(scene.patches);
+  start_camera(session, samples.extent);
+  return display.show(samples);
+}
+
+}  // namespace
+
 TakenArrivals Arrivals::take(glm::ivec2 window, double now, Display& display, Session& session) {
   TakenArrivals taken;
   const auto report = [&](const Status& status) {
@@ -40,24 +61,20 @@ TakenArrivals Arrivals::take(glm::ivec2 window, double now, Display& display, Se
     if (arrival.is_other) start_camera(session, arrival.points->extent);
     report(display.show(*arrival.points));
   }
-  const bool shows_waiting = is_waiting() && arrival.scene == nullptr;
-  std::shared_ptr<const LoadedScene> scene =
-      shows_waiting ? std::move(waiting_) : std::move(arrival.scene);
-  waiting_.reset();
-  taken.changes = scene != nullptr || arrival.points;
-  if (scene == nullptr) return taken;
-  if (display.is_empty() && !scene->patches.patches.empty()) {
-    const ScanPoints samples = scan_points_of(scene->patches);
-    start_camera(session, samples.extent);
-    report(display.show(samples));
-    waiting_ = std::move(scene);
-    return taken;
+  if (arrival.is_other) forget();
+  taken.changes = arrival.points.has_value() || arrival.scene != nullptr || is_ready();
+  if (arrival.scene != nullptr) {
+    const bool is_first = arrival.is_other && !arrival.points;
+    job_ = display.collect(arrival.scene, session);
+    if (job_ == nullptr)
+      report(show(std::move(arrival.scene), nullptr, is_first, display, session));
+    else if (is_first)
+      report(show_samples(*arrival.scene, display, session));
+  } else if (is_ready()) {
+    const std::unique_ptr<CollectJob> job = std::move(job_);
+    report(show(job->scene(), job->collected(), false, display, session));
   }
-  if (arrival.is_other && !arrival.points)
-    start_camera(session, scene->patches);
-  else
-    session.navigator.set_model(without_patches(scene->patches), true);
-  report(display.show(std::move(scene), session));
+  session.is_preparing = job_ != nullptr;
   return taken;
 }
 

@@ -18,19 +18,19 @@ struct TakenArrivals {
 /// Shows what was read.
 class Arrivals {
  public:
-  /// Takes what the document has read since the last call, or failed to. A surface with which an
-  /// empty window begins is shown as points first, and itself in the next call: its upload takes
-  /// longer than a user likes to look at nothing. `window`: the size to remember with the files.
+  /// Takes what the document has read since the last call, or failed to. What takes long to upload
+  /// is collected in the background first; of other files than before, the samples are shown
+  /// meanwhile. `window`: the size to remember with the files.
   TakenArrivals take(glm::ivec2 window, double now, Display& display, Session& session);
 
   /// Whether take() has something to show although nothing arrives.
-  [[nodiscard]] bool is_waiting() const { return waiting_ != nullptr; }
+  [[nodiscard]] bool is_ready() const { return job_ != nullptr && job_->is_done(); }
 
-  /// Forgets what waits, as files are closed.
-  void forget() { waiting_.reset(); }
+  /// Forgets what is collected, as files are closed.
+  void forget() { job_.reset(); }
 
  private:
-  std::shared_ptr<const LoadedScene> waiting_;  ///< its points are shown
+  std::unique_ptr<CollectJob> job_;
 };
 
 }  // namespace relief

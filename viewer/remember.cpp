@@ -1,7 +1,10 @@
 #include "viewer/remember.h"
 
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "viewer/settings/settings_file.h"
 
@@ -24,6 +27,20 @@ void apply_preferences(Preferences preferences, Session& session) {
   session.preferences = std::move(preferences);
 }
 
+void follow_bookmarks(Session& session) {
+  const auto& files = session.document.files();
+  std::error_code failed;
+  const std::filesystem::path now =
+      files.empty() ? std::filesystem::path()
+                    : std::filesystem::absolute(files.front(), failed).lexically_normal();
+  std::vector<FileBookmarks>& kept = session.preferences.bookmarks;
+  if (!session.bookmarked.empty())
+    keep_bookmarks(kept, session.bookmarked, session.bookmarks.list());
+  if (now == session.bookmarked) return;
+  session.bookmarks.assign(bookmarks_of(kept, now));
+  session.bookmarked = now;
+}
+
 Status remember_files(Session& session, glm::ivec2 window) {
   // The first one opened is the first one listed.
   const auto& files = session.document.files();
@@ -39,6 +56,7 @@ Status remember_settings(Session& session, glm::ivec2 window) {
   if (!session.wants_full_screen) note_window(window, session.scale, preferences);
   preferences.shows_panels = session.shows_panels;
   preferences.orbit_style = session.navigator.orbit_style();
+  follow_bookmarks(session);
   return save_preferences(*path, preferences);
 }
 

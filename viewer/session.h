@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
@@ -61,8 +62,10 @@ struct Session {
   std::shared_ptr<const LoadedScene> scene;   ///< what is shown; null: points, or nothing yet
   std::optional<NumberChoice> volume_values;  ///< the range of its volumes' values
   std::size_t points_read = 0;                ///< of the scan whose points came last
+  bool is_preparing = false;                  ///< what was read is made ready to be shown
   Navigator navigator;
   Bookmarks bookmarks;
+  std::filesystem::path bookmarked;  ///< the file that they belong to; empty: none is open
 
   SceneSettings first_look;               ///< that of the command line
   SceneSettings look;                     ///< of the picture, but for its camera and size

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/heap.h"
 #include "viewer/arrivals.h"
 #include "viewer/distance_colours.h"
 #include "viewer/drawing/difference_view.h"
@@ -77,9 +78,10 @@ class Loop {
     take_tiles(now);
     if (!events.empty() || changes) frames_left_ = kFramesAfterEvent;
     if (frames_left_ == 0 && display_.is_complete() && !is_progressing()) {
-      look_at_files();
+      rest();
       return;
     }
+    is_resting_ = false;
     frames_left_ = std::max(frames_left_ - 1, 0);
     draw(changes || session_.look_changed, now);
     if (session_.wants_close) window_.close();
@@ -88,13 +90,14 @@ class Loop {
 
  private:
   [[nodiscard]] bool is_busy() const {
-    return frames_left_ > 0 || arrivals_.is_waiting() || !display_.is_complete() ||
+    return frames_left_ > 0 || arrivals_.is_ready() || !display_.is_complete() ||
            display_.has_tiles_to_take() || session_.navigator.moving() || session_.look_changed ||
            session_.preview || fly_keys_.is_flying();
   }
   [[nodiscard]] bool is_progressing() const {
-    return session_.document.is_loading() || session_.picture_job != nullptr ||
-           difference_.is_busy() || (session_.stream && session_.stream->waiting > 0);
+    return session_.document.is_loading() || session_.is_preparing ||
+           session_.picture_job != nullptr || difference_.is_busy() ||
+           (session_.stream && session_.stream->waiting > 0);
   }
 
   bool take_size() {
@@ -194,11 +197,18 @@ class Loop {
   /// Not while panels read what is open.
   void close_files() {
     session_.document.close();
+    follow_bookmarks(session_);
     arrivals_.forget();
+    session_.is_preparing = false;
     session_.points_read = 0;
     session_.frame_ms = 0.0;
     display_.show_nothing(session_);
     frames_left_ = kFramesAfterEvent;
+  }
+
+  void rest() {
+    if (!std::exchange(is_resting_, true)) return_free_memory();
+    look_at_files();
   }
 
   void look_at_files() {
@@ -226,6 +236,7 @@ class Loop {
   MeasuringInput measuring_{&Window::wake};
   double last_ = 0.0;
   int frames_left_ = kFramesAfterEvent;
+  bool is_resting_ = false;
 };
 
 /// Gives a new session what is remembered. A file that is no settings is left aside.

@@ -19,6 +19,8 @@ struct Camera {
   double orthographic_height = 0.0;    ///< of the image, world units; above 0: orthographic
 
   [[nodiscard]] bool is_orthographic() const { return orthographic_height > 0.0; }
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// The position of a camera on an orbit about a model that stands (common/stance.h): azimuth 0 is

@@ -87,4 +87,13 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& name
                  });
 }
 
+bool is_utf8(const nlohmann::json& tree) {
+  try {
+    (void)tree.dump();  // throws unless it is
+    return true;
+  } catch (const nlohmann::json::exception&) {
+    return false;
+  }
+}
+
 }  // namespace relief

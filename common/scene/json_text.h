@@ -17,4 +17,7 @@ inline constexpr std::size_t kMaxJsonDepth = 16;
 /// objects that have a key twice, and nesting deeper than kMaxJsonDepth.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& name);
 
+/// Whether all texts in a tree are UTF-8, which JSON has to be.
+[[nodiscard]] bool is_utf8(const nlohmann::json& tree);
+
 }  // namespace relief

@@ -92,6 +92,7 @@ Result<std::unique_ptr<PreparedModel>> prepare_on_gpu(const PrepareRequest& requ
                        .views = request.views,
                        .levels = request.levels,
                        .pool = request.pool,
+                       .collected = request.collected,
                        .needs = needs_of(request.views, ModelMaps(*patches), features_of)}));
   return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(on_gpu)));
 }

@@ -41,6 +41,14 @@ DepthNeeds depth_needs_of(const PatchModel& model) {
   return {kNearSpacings * finest, model.bounds, coarsest};
 }
 
+View view_of(const RenderSettings& settings, const DepthNeeds& depth_needs) {
+  View view = make_view(settings.camera, settings.width, settings.height, depth_needs);
+  view.pixels_per_sample = pixels_per_sample_of(settings);
+  view.proxy_diameter = draws_from_afar(settings) ? settings.afar_factor * kProxyDiameter : 0.0;
+  view.cull = cull_mode_of(settings);
+  return view;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<GlModel>> GlModel::create(GlModelParts parts) {
@@ -54,12 +62,29 @@ Result<std::unique_ptr<GlModel>> GlModel::create(GlModelParts parts) {
     made->depth_needs_.bounds = parts.pool->body().box;
     return made;
   }
-  std::vector<View> looks;
-  looks.reserve(parts.views.size());
-  for (const RenderSettings& settings : parts.views) looks.push_back(made->view_of(settings));
-  RELIEF_TRY_ASSIGN(made->store_, upload_model(made->gl(), parts.patches, parts.needs,
-                                               {looks, parts.levels == KeptLevels::All}));
+  // A look may have changed since it was collected for.
+  const bool is_collected =
+      parts.collected != nullptr && parts.collected->order().needs == parts.needs &&
+      parts.collected->order().all_levels == (parts.levels == KeptLevels::All);
+  if (is_collected) {
+    RELIEF_TRY_ASSIGN(made->store_, parts.collected->upload(made->gl()));
+    return made;
+  }
+  RELIEF_TRY_ASSIGN(
+      const auto collected,
+      CollectedStore::collect(store_limits(made->gl()), parts.patches,
+                              order_for(parts.patches, parts.views, parts.needs, parts.levels)));
+  RELIEF_TRY_ASSIGN(made->store_, collected->upload(made->gl()));
   return made;
+}
+
+StoreOrder GlModel::order_for(const PatchModel& model, std::span<const RenderSettings> views,
+                              const StoreNeeds& needs, KeptLevels levels) {
+  StoreOrder order{needs, {}, levels == KeptLevels::All};
+  const DepthNeeds depth_needs = depth_needs_of(model);
+  for (const RenderSettings& settings : views)
+    order.views.push_back(relief::view_of(settings, depth_needs));
+  return order;
 }
 
 Result<GlFrame> GlModel::make_frame(const RenderSettings& settings, const Raster& part,
@@ -113,11 +138,7 @@ Status GlModel::add_materials(const RenderSettings& settings, GlFrame& frame) {
 }
 
 View GlModel::view_of(const RenderSettings& settings) const {
-  View view = make_view(settings.camera, settings.width, settings.height, depth_needs_);
-  view.pixels_per_sample = pixels_per_sample_of(settings);
-  view.proxy_diameter = draws_from_afar(settings) ? settings.afar_factor * kProxyDiameter : 0.0;
-  view.cull = cull_mode_of(settings);
-  return view;
+  return relief::view_of(settings, depth_needs_);
 }
 
 Result<const Texture*> GlModel::environment_for(const std::filesystem::path& path,

@@ -20,6 +20,7 @@
 #include "renderer/settings.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/environment_cache.h"
+#include "renderer/store/collected_store.h"
 #include "renderer/store/patch_store.h"
 #include "renderer/store/pool/patch_pool.h"
 
@@ -32,8 +33,9 @@ struct GlModelParts {
   const PatchModel& patches;
   std::span<const RenderSettings> views = {};  ///< settled
   KeptLevels levels = KeptLevels::OfViews;
-  const PatchPool* pool = nullptr;  ///< as PrepareRequest has it
-  StoreNeeds needs = {};            ///< of all views
+  const PatchPool* pool = nullptr;      ///< as PrepareRequest has it
+  CollectedStore* collected = nullptr;  ///< likewise
+  StoreNeeds needs = {};                ///< of all views
 };
 
 /// The model's patches, and the environments that images have needed so far. What is made of it
@@ -52,6 +54,11 @@ class GlModel {
   /// if there are any to be used again.
   Result<GlFrame> make_frame(const RenderSettings& settings, const Raster& part,
                              std::optional<Targets> targets = {});
+
+  /// What is uploaded for some views.
+  [[nodiscard]] static StoreOrder order_for(const PatchModel& model,
+                                            std::span<const RenderSettings> views,
+                                            const StoreNeeds& needs, KeptLevels levels);
 
   /// The view of a whole image, one sample a pixel.
   [[nodiscard]] View view_of(const RenderSettings& settings) const;

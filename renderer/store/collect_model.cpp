@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 #include <numeric>
 
+#include "common/progress.h"
 #include "common/transform.h"
 
 namespace relief {
@@ -72,7 +73,7 @@ ModelCollector::ModelCollector(const StoreLimits& limits, const PatchModel& mode
   for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
 }
 
-Status ModelCollector::add(const Instance& instance) {
+Status ModelCollector::add(const Instance& instance, const std::stop_token& stop) {
   Run& run = run_at(instance);
   const Transform& where = instance.transform;
   std::vector<View> near_views;
@@ -95,7 +96,7 @@ Status ModelCollector::add(const Instance& instance) {
     stored.proxy = proxy;
   }
   if (all_levels_ || views_.empty() || !near_views.empty()) {
-    RELIEF_TRY(add_near(instance, near_views));
+    RELIEF_TRY(add_near(instance, near_views, stop));
     stored.count = instance.count;
     if (needs_.cells) {
       RELIEF_TRY_ASSIGN(stored.seams, add_seams(instance));
@@ -140,8 +141,10 @@ PatchExtent ModelCollector::measured_extent(const Instance& instance, std::size_
   return moved(instance.transform, extent);
 }
 
-Status ModelCollector::add_near(const Instance& instance, std::span<const View> views) {
+Status ModelCollector::add_near(const Instance& instance, std::span<const View> views,
+                                const std::stop_token& stop) {
   for (std::uint32_t k = 0; k < instance.count; ++k) {
+    if (stop.stop_requested()) return interrupted_error();
     const std::size_t p = instance.first + k;
     const PatchExtent extent = measured_extent(instance, p, views);
     const std::vector<std::uint32_t> kept =

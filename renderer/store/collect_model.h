@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -38,8 +39,8 @@ class ModelCollector {
   ModelCollector(const StoreLimits& limits, const PatchModel& model, const StoreNeeds& needs,
                  const UploadViews& views);
 
-  /// Fails if OpenGL can't draw as many samples.
-  Status add(const Instance& instance);
+  /// Fails if OpenGL can't draw as many samples, or if it is stopped.
+  Status add(const Instance& instance, const std::stop_token& stop = {});
 
   /// Adds the seams of all instances. Once, after the last: there was time to make them.
   Status add_seam_blocks();
@@ -76,7 +77,8 @@ class ModelCollector {
   PatchExtent measured_extent(const Instance& instance, std::size_t patch,
                               std::span<const View> views);
   /// The levels of its patches that the views choose.
-  Status add_near(const Instance& instance, std::span<const View> views);
+  Status add_near(const Instance& instance, std::span<const View> views,
+                  const std::stop_token& stop);
   void add_grid(std::size_t index, const Transform& where, std::uint8_t material, std::uint32_t id);
   /// The parts of the level that was added last.
   void add_parts(std::size_t index);

@@ -114,11 +114,6 @@ struct UploadViews {
   std::uint32_t finest = 0;  ///< of all levels; of patches that have none as coarse their coarsest
 };
 
-/// Uploads a model, of each patch the levels that the views choose; the patches themselves without
-/// views. Fails if OpenGL lacks memory or a map is larger than it allows.
-Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
-                                const UploadViews& views = {});
-
 /// The level that the view chooses of each patch of the instances that it shows from near, as
 /// indices of `patches`. (The nearest one that is kept, for a view that the model was not uploaded
 /// for.)

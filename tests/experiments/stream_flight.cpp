@@ -30,6 +30,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/heap.h"
 #include "common/image/image_io.h"
 #include "common/image/srgb.h"
 #include "loader/first_look.h"
@@ -209,6 +210,7 @@ class Flight {
       const Clock::time_point rests = Clock::now();
       rest(view);
       const double settled = ms_since(rests);
+      return_free_memory();  // as a window does at rest
       const StreamState state = stream_->state();
       std::printf(
           "pose %d: settled after %.0f ms, %zu tiles, %.1f M samples, %sGPU %.0f MB, "
@@ -407,6 +409,7 @@ Arguments parse(int count, char** texts) {
 
 int main(int count, char** texts) {
   const relief::Arguments arguments = relief::parse(count, texts);
+  relief::return_large_blocks();
   relief::Flight flight(arguments);
   if (arguments.whole)
     flight.fly_whole();

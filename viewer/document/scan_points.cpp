@@ -17,12 +17,15 @@ namespace {
 constexpr float kDarkest = 70.0F;
 constexpr float kRange = 150.0F;
 
+/// Multiples of it are spread evenly over the numbers from 0 to 1, whatever their count.
+constexpr double kGolden = 0.618033988749895;
+
 /// Calls `visit` with `kept` of the places 0 to count - 1, spread over all of them in an order that
 /// looks random: the step is near the golden ratio of `count` and has no factor in common with it,
 /// so that no place comes twice. `count` is at least 1, `kept` at most that.
 template <class Visit>
 void for_each_spread(std::size_t count, std::size_t kept, const Visit& visit) {
-  auto step = std::max<std::size_t>(1, static_cast<std::size_t>(0.618 * double(count)));
+  auto step = std::max<std::size_t>(1, static_cast<std::size_t>(kGolden * double(count)));
   while (std::gcd(step, count) != 1) ++step;
   for (std::size_t k = 0, index = 0; k < kept; ++k, index = (index + step) % count) visit(index);
 }
@@ -104,21 +107,28 @@ ScanPoints scan_points_of(const PatchModel& given) {
   const std::vector<Patch>& patches = given.instances.empty() ? given.patches : placed.patches;
   shown.origin = 0.5 * (given.bounds.min + given.bounds.max);
   const glm::vec3 up(given.stance.up);
+  const std::size_t count = std::accumulate(
+      patches.begin(), patches.end(), std::size_t{0},
+      [](std::size_t sum, const Patch& patch) { return sum + count_samples(patch); });
+  if (count == 0) return shown;
+  const double share = std::min(1.0, double{kMostShownSamples} / static_cast<double>(count));
   std::vector<ShownPoint> samples;
+  double place = 0.0;
   for (const Patch& patch : patches) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
+        place += kGolden;
+        place -= std::floor(place);
+        if (place >= share) continue;
         samples.push_back(
             {glm::vec3(position_of(patch, i, j) - shown.origin), colour_of(patch, i, j, up)});
       }
     }
   }
-  const std::size_t count = samples.size();
-  if (count == 0) return shown;
-  const std::size_t kept = std::min(count, kMostShownPoints);
+  const std::size_t kept = samples.size();
   shown.points.reserve(kept);
-  for_each_spread(count, kept, [&](std::size_t index) { shown.points.push_back(samples[index]); });
+  for_each_spread(kept, kept, [&](std::size_t index) { shown.points.push_back(samples[index]); });
   shown.is_lit = !given.has_colours;
   shown.spacing =
       wide_spacing_of(patches) * std::sqrt(static_cast<double>(count) / static_cast<double>(kept));

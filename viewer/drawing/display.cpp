@@ -48,13 +48,27 @@ Result<std::unique_ptr<Display>> Display::create(const GlLoader& load) {
   return made;
 }
 
-Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session) {
+std::unique_ptr<CollectJob> Display::collect(std::shared_ptr<const LoadedScene> scene,
+                                             Session& session) const {
+  if (!is_slow_to_collect(*scene)) return nullptr;
+  const std::shared_ptr<const LoadedScene> shown = std::exchange(session.scene, scene);
+  const auto looks = looks_of(session);
+  session.scene = shown;
+  if (!looks) return nullptr;
+  std::vector<RenderSettings> all{looks->first};
+  if (looks->second) all.push_back(*looks->second);
+  return std::make_unique<CollectJob>(std::move(scene), std::move(all), store_limits(opengl_->gl()),
+                                      session.streaming.wake);
+}
+
+Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session,
+                     CollectedStore* collected) {
   const std::shared_ptr<const LoadedScene> before = std::exchange(session.scene, scene);
   if (scene->has_kernels()) session.inspection = Inspection::Picture;
   const auto values = values_of(*scene);
   auto view = [&]() -> Result<std::unique_ptr<UploadedScene>> {
     RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
-    return UploadedScene::create(load_, std::move(scene), looks, session.streaming);
+    return UploadedScene::create(load_, std::move(scene), looks, session.streaming, collected);
   }();
   if (!view) {
     session.scene = before;

@@ -9,6 +9,7 @@
 #include "common/image/image.h"
 #include "renderer/gl/loader.h"
 #include "renderer/gl/open_gl.h"
+#include "viewer/drawing/collect_job.h"
 #include "viewer/drawing/inspector.h"
 #include "viewer/drawing/live_picture.h"
 #include "viewer/drawing/pacer.h"
@@ -27,8 +28,15 @@ class Display {
 
   /// Uploads what has arrived, which then is what is drawn, and puts it into the session. If that
   /// fails, what was there before stays.
-  Status show(std::shared_ptr<const LoadedScene> scene, Session& session);
+  /// `collected`: what a job of collect() has made of it.
+  Status show(std::shared_ptr<const LoadedScene> scene, Session& session,
+              CollectedStore* collected = nullptr);
   Status show(const ScanPoints& points);
+
+  /// Begins to collect what show() will upload of a scene, for the session's looks. Null if that is
+  /// quick, or the looks can't be drawn, which show() will say.
+  [[nodiscard]] std::unique_ptr<CollectJob> collect(std::shared_ptr<const LoadedScene> scene,
+                                                    Session& session) const;
 
   /// Takes what is shown off the GPU and out of the session.
   void show_nothing(Session& session);

@@ -9,11 +9,22 @@
 namespace relief {
 namespace {
 
-/// What decides what is uploaded, and which shaders there are.
-std::pair<std::string, std::uint64_t> kind_of(const RenderSettings& look, ModelMaps maps) {
+/// What decides what is uploaded; shaders are compiled when they are first needed.
+struct Kind {
+  std::string engine;
+  StoreNeeds needs;
+  bool is_proxy_from_afar = false;
+  CullMode cull = CullMode::Safe;
+
+  bool operator==(const Kind&) const = default;
+};
+
+Kind kind_of(const RenderSettings& look, const ModelMaps& maps) {
   const EngineEntry* const engine = find_engine(look.engine);
-  const bool has_features = engine != nullptr && engine->features != nullptr;
-  return {look.engine, has_features ? engine->features(look, maps).bits : 0};
+  Kind kind{look.engine, {}, draws_from_afar(look), look.cull};
+  if (engine != nullptr && engine->features != nullptr)
+    kind.needs = needs_of(engine->features(look, maps));
+  return kind;
 }
 
 /// What OpenGL on the CPU takes is memory, too, and it is to make the largest texture in less than
@@ -38,9 +49,9 @@ UploadedScene::UploadedScene(GlLoader load, std::shared_ptr<const LoadedScene> s
 
 Result<std::unique_ptr<UploadedScene>> UploadedScene::create(
     const GlLoader& load, std::shared_ptr<const LoadedScene> scene, const Looks& looks,
-    const StreamOptions& options) {
+    const StreamOptions& options, CollectedStore* collected) {
   std::unique_ptr<UploadedScene> made(new UploadedScene(load, std::move(scene), options));
-  RELIEF_TRY(made->prepare(looks));
+  RELIEF_TRY(made->prepare(looks, collected));
   return made;
 }
 
@@ -51,7 +62,7 @@ bool UploadedScene::has(const RenderSettings& look) const {
                      [&](const RenderSettings& known) { return kind_of(known, maps) == kind; });
 }
 
-Status UploadedScene::prepare(const Looks& looks) {
+Status UploadedScene::prepare(const Looks& looks, CollectedStore* collected) {
   std::vector<RenderSettings> wanted = looks_;
   if (!has(looks.first)) wanted.push_back(looks.first);
   if (looks.second && !has(*looks.second)) wanted.push_back(*looks.second);
@@ -59,7 +70,7 @@ Status UploadedScene::prepare(const Looks& looks) {
   if (scene_->tiles != nullptr) {
     RELIEF_TRY(prepare_stream(wanted));
   } else {
-    RELIEF_TRY_ASSIGN(viewport_, Viewport::create(load_, forms_, wanted));
+    RELIEF_TRY_ASSIGN(viewport_, Viewport::create(load_, forms_, wanted, engines(), collected));
   }
   looks_ = std::move(wanted);
   return {};

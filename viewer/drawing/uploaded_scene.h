@@ -23,15 +23,16 @@ struct StreamOptions {
 /// Keeps a scene and its viewport. What a look needs is uploaded when it is first asked for.
 class UploadedScene {
  public:
-  /// Uploads what the looks need. Fails as Viewport::create does.
+  /// Uploads what the looks need. `collected`: as Viewport::create has it. Fails as that does.
   static Result<std::unique_ptr<UploadedScene>> create(const GlLoader& load,
                                                        std::shared_ptr<const LoadedScene> scene,
                                                        const Looks& looks,
-                                                       const StreamOptions& options = {});
+                                                       const StreamOptions& options = {},
+                                                       CollectedStore* collected = nullptr);
 
   /// Uploads what these looks need and those before did not. If that fails, the looks before can
   /// still be drawn.
-  Status prepare(const Looks& looks);
+  Status prepare(const Looks& looks, CollectedStore* collected = nullptr);
 
   /// What reads the scene's patches as views need them; null if all are there.
   [[nodiscard]] StreamedPatches* stream() { return stream_.get(); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <utility>
 
 namespace relief {
 namespace {
@@ -37,6 +38,15 @@ std::size_t Bookmarks::add(const std::string& name, const Camera& camera) {
   list_.push_back({free_name(list_, name, list_.size()), camera, kBookmarkSeconds});
   selected_ = list_.size() - 1;
   return *selected_;
+}
+
+void Bookmarks::assign(std::vector<Bookmark> list) {
+  list_.clear();
+  selected_.reset();
+  for (Bookmark& bookmark : list) {
+    bookmark.name = free_name(list_, bookmark.name, list_.size());
+    list_.push_back(std::move(bookmark));
+  }
 }
 
 void Bookmarks::remove(std::size_t index) {

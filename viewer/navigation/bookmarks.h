@@ -18,6 +18,8 @@ struct Bookmark {
   std::string name;
   Camera camera;
   double seconds = kBookmarkSeconds;  ///< to the next one, above 0
+
+  bool operator==(const Bookmark&) const = default;
 };
 
 /// A list of bookmarks, of which one may be selected. Names differ and are not empty. All indices
@@ -27,6 +29,9 @@ class Bookmarks {
   /// Adds a bookmark at the end, selects it and returns its index. A name that is taken gets a
   /// number; an empty one becomes "view".
   std::size_t add(const std::string& name, const Camera& camera);
+
+  /// Replaces all bookmarks; none is selected. Names become different as those of add().
+  void assign(std::vector<Bookmark> list);
 
   /// Removes a bookmark. If it was selected, none is afterwards.
   void remove(std::size_t index);

@@ -51,6 +51,7 @@ std::string state_of(const Session& session) {
                           : progress.stage;
   }
   if (session.document.is_loading()) return "opening";
+  if (session.is_preparing) return "preparing";
   if (session.picture_job != nullptr) {
     const JobProgress made = session.picture_job->progress();
     return fmt::format("{} {:.0f} %", session.picture_job->request().file.filename().string(),

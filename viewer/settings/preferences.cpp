@@ -10,6 +10,8 @@
 
 #include "common/scene/json_text.h"
 #include "common/scene/json_values.h"
+#include "viewer/settings/bookmark_settings.h"
+#include "viewer/settings/paths.h"
 
 namespace relief {
 namespace {
@@ -18,7 +20,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMostSections = 64;
-constexpr std::size_t kLongestPath = 4096;  // PATH_MAX of Linux
 
 double read_number(JsonValues& values, const JsonNode& node, NumberChoice range) {
   return values.number(node, {range.min, range.max},
@@ -37,9 +38,7 @@ std::vector<fs::path> read_paths(JsonValues& values, const JsonNode& node, std::
   if (node.value.is_array() && node.value.empty()) return paths;
   for (const JsonNode& element : values.elements(node, most, "paths")) {
     const std::string text = values.text(element, "a path");
-    const bool is_path = text.size() <= kLongestPath && text.find('\0') == std::string::npos &&
-                         fs::path(text).is_absolute();
-    if (is_path) paths.emplace_back(text);
+    if (is_absolute_path(text)) paths.emplace_back(text);
   }
   return paths;
 }
@@ -77,12 +76,7 @@ json texts_of(const std::vector<fs::path>& paths) {
   json list = json::array();
   for (const fs::path& path : paths) {
     json text = path.string();
-    try {
-      (void)text.dump();  // throws unless it is UTF-8
-      list.push_back(std::move(text));
-    } catch (const json::exception&) {
-      continue;
-    }
+    if (is_utf8(text)) list.push_back(std::move(text));
   }
   return list;
 }
@@ -122,6 +116,7 @@ Result<Preferences> parse_preferences(std::string_view text, const std::string& 
   read("orbit", made.orbit_style,
        [&](const JsonNode& n) { return values.choice(n, kOrbitStyles); });
   read("material", made.material, [&](const JsonNode& n) { return read_material(values, n); });
+  read("bookmarks", made.bookmarks, [&](const JsonNode& n) { return read_bookmarks(values, n); });
   if (values.error()) return *values.error();
   return made;
 }
@@ -140,6 +135,7 @@ std::string preferences_text(const Preferences& preferences) {
       {"ior", material.ior},
       {"absorption", {material.absorption.r, material.absorption.g, material.absorption.b}},
       {"roughness", material.roughness}};
+  tree["bookmarks"] = json_of(preferences.bookmarks);
   return tree.dump(2) + "\n";
 }
 

@@ -13,6 +13,7 @@
 #include "common/scene/choices.h"
 #include "common/scene/material.h"
 #include "viewer/navigation/drag.h"
+#include "viewer/navigation/file_bookmarks.h"
 
 namespace relief {
 
@@ -35,6 +36,7 @@ struct Preferences {
   std::map<std::string, bool, std::less<>> sections;       ///< open or not, by title
   std::vector<std::filesystem::path> recent_files;         ///< absolute, the latest first
   std::vector<std::filesystem::path> recent_environments;  ///< likewise
+  std::vector<FileBookmarks> bookmarks;                    ///< of the file used last first
   double target_ms = 33.0;
   OrbitStyle orbit_style = OrbitStyle::Turntable;
   MaterialConstants material;  ///< what a mirror or a glass begins with once it is chosen

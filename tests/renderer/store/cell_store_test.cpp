@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/engines/onepass/features.h"
+#include "renderer/store/collected_store.h"
 #include "renderer/store/patch_store.h"
 #include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/scenes.h"
@@ -26,7 +27,10 @@ class Stores : public testing::Test {
     settings.primitive = primitive;
     settings.interpolation = interpolation;
     const Features features = onepass::features_of(settings, model_.has_colours);
-    auto store = upload_model(gl(), model_, needs_of(features));
+    const auto collected =
+        CollectedStore::collect(store_limits(gl()), model_, {needs_of(features), {}});
+    EXPECT_TRUE(collected);
+    auto store = (*collected)->upload(gl());
     EXPECT_TRUE(store);
     return std::move(*store);
   }

@@ -3,8 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "renderer/store/collect_model.h"
-#include "renderer/store/patch_store.h"
+#include "renderer/store/collected_store.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -28,12 +27,21 @@ CellStore upload_cells(const Gl& gl, GridUpload& grids, CollectedModel& model) {
 
 }  // namespace
 
-Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
-                                const UploadViews& views) {
-  ModelCollector collector(store_limits(gl), model, needs, views);
-  for (const Instance& instance : instances_of(model)) RELIEF_TRY(collector.add(instance));
+Result<std::unique_ptr<CollectedStore>> CollectedStore::collect(const StoreLimits& limits,
+                                                                const PatchModel& model,
+                                                                StoreOrder order,
+                                                                const std::stop_token& stop) {
+  std::unique_ptr<CollectedStore> made(new CollectedStore(limits, model, std::move(order)));
+  for (const Instance& instance : instances_of(model))
+    RELIEF_TRY(made->collector_.add(instance, stop));
+  RELIEF_TRY(made->collector_.add_seam_blocks());
+  return made;
+}
+
+Result<PatchStore> CollectedStore::upload(const Gl& gl) {
+  ModelCollector& collector = collector_;
+  const StoreNeeds& needs = order_.needs;
   RELIEF_TRY_ASSIGN(GridMaps maps, collector.grids().make_maps(gl));
-  RELIEF_TRY(collector.add_seam_blocks());
   const std::vector<shared::PatchInfo> table = collector.table();
   CollectedModel& collected = collector.collected();
   PatchStore store{
