@@ -41,7 +41,7 @@ struct ViewArguments {
 };
 
 /// Less would hold a few parts of an image only.
-constexpr std::uint64_t kLeastBudget = std::uint64_t{64} << 20U;
+constexpr std::uint64_t kLeastBudget = std::uint64_t{32} << 20U;
 
 constexpr const char* kViewFooter =
     "FILE is a patch file, a scan, a mesh, a raster, a volume, a scene of 3D Gaussians or a .json\n"
@@ -120,14 +120,14 @@ void add_view(CLI::App& app, Command& command) {
                   "CSV file to write with the time of each frame (default: none)")
       ->option_text("FILE");
   sub->add_option("--memory", arguments->budget.memory,
-                  "Memory for what was read of a patch file with tiles, 64M or more (default 512M; "
-                  "128M without a GPU)")
+                  "Memory for what was read of a patch file with tiles, 32M or more (default 512M; "
+                  "48M without a GPU)")
       ->transform(CLI::AsSizeValue(false))
       ->check(bytes_from(kLeastBudget))
       ->option_text("BYTES");
   sub->add_option("--gpu-memory", arguments->budget.gpu,
-                  "GPU memory for a patch file with tiles, 64M or more: what does not fit is shown "
-                  "coarser (default 1G; 320M of memory without a GPU)")
+                  "GPU memory for a patch file with tiles, 32M or more: what does not fit is shown "
+                  "coarser (default 1G; 240M of memory without a GPU)")
       ->transform(CLI::AsSizeValue(false))
       ->check(bytes_from(kLeastBudget))
       ->option_text("BYTES");

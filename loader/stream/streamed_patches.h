@@ -28,9 +28,9 @@ struct StreamBudget {
 
 /// What a window takes unless its user says otherwise: with a GPU, and where OpenGL runs on the
 /// CPU. There both are the same memory, so that little of what is uploaded is kept twice; with a
-/// quarter more, no view of 60 million points was finer (docs/decisions/0116).
+/// third more, one view of 60 million points in six is finer (docs/decisions/0116).
 inline constexpr StreamBudget kHardwareBudget{std::uint64_t{512} << 20U, std::uint64_t{1} << 30U};
-inline constexpr StreamBudget kSoftwareBudget{std::uint64_t{64} << 20U, std::uint64_t{256} << 20U};
+inline constexpr StreamBudget kSoftwareBudget{std::uint64_t{48} << 20U, std::uint64_t{240} << 20U};
 
 /// How far a stream is.
 struct StreamState {

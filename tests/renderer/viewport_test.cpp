@@ -9,6 +9,8 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <stop_token>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,7 @@
 #include "renderer/frame/targets.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/shading/environment_cache.h"
+#include "renderer/store/collected_store.h"
 #include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/images.h"
 #include "tests/renderer/scenes.h"
@@ -101,6 +104,48 @@ TEST(Viewport, DrawsWhatRenderDoesFromAnyViewAtAnySize) {
             << engine << " view " << k << " " << channel;
     }
   }
+}
+
+TEST(Viewport, DrawsTheSameOfWhatWasCollectedOnAnotherThread) {
+  const PatchModel model = viewport_model();
+  const RenderModel form = RenderModel::of(model);
+  RenderSettings lit = views_around(model)[1];
+  RenderSettings unlit = lit;
+  unlit.material = Material::Unlit;
+  // The last was collected for a look that needs no normals: it is left aside.
+  for (const RenderSettings& collected_for : {lit, unlit}) {
+    const Window window;
+    Result<std::unique_ptr<CollectedStore>> collected = std::unique_ptr<CollectedStore>();
+    std::thread([&, limits = store_limits(window.gl())] {
+      collected = collect_for_viewport(form, {&collected_for, 1}, limits);
+    }).join();
+    ASSERT_TRUE(collected) << collected.error().message;
+    ASSERT_NE(*collected, nullptr);
+    const auto viewport =
+        Viewport::create(window.loader(), form, {&lit, 1}, engines(), collected->get());
+    ASSERT_TRUE(viewport) << viewport.error().message;
+    const WindowFramebuffer into(window.gl(), lit.width, lit.height);
+    ASSERT_TRUE((*viewport)->draw(lit, into.framebuffer.id()));
+    const Image image = read_colour(window.gl(), into.colour, lit.width, lit.height);
+    const Image expected = render_with_all_levels(model, {&lit, 1}).front();
+    for (const char* const channel : {"R", "G", "B", "A"})
+      EXPECT_EQ(test::values(image, channel), test::values(expected, channel)) << channel;
+  }
+}
+
+TEST(Viewport, CollectsNothingForSeveralEnginesAndStopsWhenAsked) {
+  const PatchModel model = viewport_model();
+  const RenderModel form = RenderModel::of(model);
+  std::vector<RenderSettings> looks(2, views_around(model)[1]);
+  looks[1].engine = "multipass";
+  const Window window;
+  const StoreLimits limits = store_limits(window.gl());
+  const auto none = collect_for_viewport(form, looks, limits);
+  ASSERT_TRUE(none);
+  EXPECT_EQ(*none, nullptr);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(collect_for_viewport(form, {looks.data(), 1}, limits, stop.get_token()));
 }
 
 // A wipe draws one look left of its divider and another right of it; a picture that is refined is

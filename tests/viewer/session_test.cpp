@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/common/patch_file/sample_models.h"
+#include "viewer/remember.h"
+
 namespace relief {
 namespace {
 
@@ -17,6 +20,29 @@ TEST(Messages, GoWhenTheyHaveBeenReadAndErrorsLater) {
   EXPECT_TRUE(session.messages.front().is_error);
   EXPECT_TRUE(drop_old_messages(session, 31.0));
   EXPECT_TRUE(session.messages.empty());
+}
+
+TEST(BookmarksOfFiles, AreThereAgainWhenTheFileIsOpenedAgain) {
+  const test::ScratchFolder folder;
+  const char* const text = "0 0 0\n1 0 0\n0 1 0\n";
+  for (const char* const name : {"a.xyz", "b.xyz"}) test::spill(folder / name, text);
+  Session session(Document({}, [] {}));
+  const auto open = [&](const char* name) {
+    ASSERT_TRUE(session.document.open({folder / name}, {}));
+    follow_bookmarks(session);
+  };
+  open("a.xyz");
+  session.bookmarks.add("door", Camera());
+  open("b.xyz");
+  EXPECT_TRUE(session.bookmarks.empty());
+  open("a.xyz");
+  ASSERT_EQ(session.bookmarks.size(), 1U);
+  session.bookmarks.add("window", Camera());
+  session.document.close();
+  follow_bookmarks(session);
+  EXPECT_TRUE(session.bookmarks.empty());
+  ASSERT_EQ(session.preferences.bookmarks.size(), 1U);
+  EXPECT_EQ(session.preferences.bookmarks.front().list.size(), 2U);
 }
 
 }  // namespace

@@ -5,7 +5,11 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <utility>
+
+#include "tests/renderer/scenes.h"
 
 namespace relief {
 namespace {
@@ -55,6 +59,25 @@ TEST(ScanPoints, HasColoursOrShade) {
   const auto up = scan_points_of(points).points.front().colour;
   points.normals.assign(9, {0.0F, 0.0F, -1.0F});
   EXPECT_GT(up.x, scan_points_of(points).points.front().colour.x + 100);
+}
+
+TEST(ScanPoints, OfPatchesAreSomeThatAreSpreadOverAll) {
+  // A flat square of 500 samples a side, of which 150,000 are shown.
+  const PatchModel model =
+      test::model_of({test::sample_patch({.width = 500, .height = 500}, [](glm::dvec3) {
+        return test::SurfacePoint{0.0, {0, 0, 1}};
+      })});
+  const ScanPoints shown = scan_points_of(model);
+  EXPECT_NEAR(double(shown.points.size()), double{kMostShownSamples}, 10.0);
+  EXPECT_NEAR(shown.spacing, std::sqrt(250'000.0 / kMostShownSamples), 1e-3);
+  // In squares of 10 by 10 samples 60 are shown; at random it would be 60 +- 4.9, at most 15 off.
+  std::map<std::pair<int, int>, int> counts;
+  for (const ShownPoint& p : shown.points) {
+    const glm::dvec3 at = glm::dvec3(p.position) + shown.origin;
+    ++counts[{int(at.x / 10.0), int(at.y / 10.0)}];
+  }
+  EXPECT_EQ(counts.size(), 2500U);
+  for (const auto& [square, count] : counts) EXPECT_NEAR(count, 60, 15);
 }
 
 TEST(ScanPoints, NothingOfNothing) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "viewer/navigation/file_bookmarks.h"
+
 namespace relief {
 namespace {
 
@@ -76,6 +78,35 @@ TEST(Bookmarks, AreSteppedThroughInARing) {
   EXPECT_EQ(bookmarks.select_previous(), 3U);
   bookmarks.select(std::nullopt);
   EXPECT_EQ(bookmarks.select_next(), 0U);
+}
+
+TEST(Bookmarks, AreReplacedByOthersWhoseNamesDiffer) {
+  Bookmarks bookmarks = four();
+  bookmarks.assign({{"door", camera_at(1.0), 3.0}, {"door", camera_at(2.0)}});
+  EXPECT_EQ(names_of(bookmarks), "door;door 2;");
+  EXPECT_EQ(bookmarks.list().front().seconds, 3.0);
+  EXPECT_FALSE(bookmarks.selected());
+}
+
+TEST(FileBookmarks, AreOfTheFileThatWasUsedLastFirst) {
+  std::vector<FileBookmarks> all;
+  keep_bookmarks(all, "/a.relief", four().list());
+  keep_bookmarks(all, "/b.relief", {{"b", camera_at(2.0)}});
+  keep_bookmarks(all, "/a.relief", {{"a", camera_at(1.0)}});
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all.front().file, "/a.relief");
+  EXPECT_EQ(bookmarks_of(all, "/a.relief").size(), 1U);
+  EXPECT_TRUE(bookmarks_of(all, "/c.relief").empty());
+  keep_bookmarks(all, "/b.relief", {});
+  EXPECT_EQ(all.size(), 1U);
+}
+
+TEST(FileBookmarks, AreKeptOfSoManyFiles) {
+  std::vector<FileBookmarks> all;
+  for (std::size_t k = 0; k < kMostBookmarkedFiles + 5; ++k)
+    keep_bookmarks(all, "/" + std::to_string(k), four().list());
+  EXPECT_EQ(all.size(), kMostBookmarkedFiles);
+  EXPECT_TRUE(bookmarks_of(all, "/4").empty());
 }
 
 }  // namespace

@@ -19,6 +19,13 @@ Preferences some() {
   made.material.ior = 1.25F;
   made.material.absorption = {0.5F, 1.0F, 100.0F};
   made.material.roughness = 0.375F;
+  // At coordinates of surveys, to the last bit.
+  const Camera near{
+      {470013.123456789, 4430001.1, 1802.3}, {470013.0, 4430002.0, 1801.0}, {0, 0, 1}};
+  Camera far = near;
+  far.orthographic_height = 12.5;
+  made.bookmarks = {{"/scans/dragon.relief", {{"door \xC3\xA9", near, 0.5}, {"map", far}}},
+                    {"/scans/b.ply", {{"b", Camera()}}}};
   return made;
 }
 
@@ -83,6 +90,22 @@ TEST(Preferences, LeaveOutPathsThatCannotBeOnes) {
       "x");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->recent_files, std::vector<std::filesystem::path>{"/good.ply"});
+}
+
+TEST(Preferences, LeaveOutBookmarksThatCannotBeShown) {
+  const auto read = parse_preferences(
+      R"({"bookmarks": [{"file": "/a", "views": [{"name": "nowhere", "eye": [1, 1, 1],
+          "target": [1, 1, 1]}, {"name": "good", "eye": [1, 2, 3], "later": 7}]},
+          {"file": "relative", "views": [{"name": "lost"}]}]})",
+      "x");
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->bookmarks.size(), 1U);
+  ASSERT_EQ(read->bookmarks.front().list.size(), 1U);
+  EXPECT_EQ(read->bookmarks.front().list.front().name, "good");
+  EXPECT_EQ(refusal(R"({"bookmarks": [{"file": "/a", "views": [{"fov": 200}]}]})"),
+            "viewer.json: bookmarks[0].views[0].fov: expected degrees from 0.01 to 175; found 200");
+  EXPECT_EQ(refusal(R"({"bookmarks": [{"views": []}]})"),
+            "viewer.json: bookmarks[0].file: is missing; expected a path");
 }
 
 TEST(Preferences, LeaveOutPathsThatJsonCannotHold) {
