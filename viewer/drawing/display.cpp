@@ -76,6 +76,7 @@ Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session,
   }
   scene_ = *std::move(view);
   session.volume_values = values;
+  pacer_.forget();
   points_.reset();
   drawn_inspection_ = session.inspection;
   is_steady_ = false;
@@ -142,6 +143,7 @@ Status Display::draw(Session& session, bool changes) {
   Status drawn = changes || look_changes
                      ? picture_.draw(scene_->viewport(), looks, pacer_.quality())
                      : picture_.refine(scene_->viewport(), looks);
+  if (const auto still = picture_.take_still_ms()) pacer_.note_still(*still);
   if (!drawn && inspector_) {
     session.inspection = Inspection::Picture;
     session.look_changed = true;

@@ -87,7 +87,9 @@ Status LivePicture::draw_band(Viewport& model, const Looks& looks, int samples, 
     RELIEF_TRY(draw_pane(model, pane, *full_));
   }
   gl_->Finish();
-  rows_per_ms_ = rows / std::max(ms_since(start), 0.01);
+  const double ms = ms_since(start);
+  rows_per_ms_ = rows / std::max(ms, 0.01);
+  bands_ms_ = next_row_ == 0 ? ms : bands_ms_ + ms;
   next_row_ += rows;
   is_last = next_row_ == height;
   return {};
@@ -109,6 +111,7 @@ Status LivePicture::refine(Viewport& model, const Looks& looks) {
   if (!is_last) return {};
   shows_full_ = true;
   next_row_ = 0;
+  if (is_first) still_ms_ = bands_ms_;
   const bool has_more = is_first && most_samples(looks) > 1;
   stage_ = has_more ? Stage::AllSamples : Stage::Complete;
   // A band of several samples takes that many times as long.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <utility>
 
 #include "common/error.h"
 #include "renderer/gl/functions.h"
@@ -38,6 +39,11 @@ class LivePicture {
   Status refine(const PointCloud& points, const Looks& looks);
   [[nodiscard]] bool is_complete() const { return stage_ == Stage::Complete; }
 
+  /// What the last whole picture with one sample a pixel took, in bands; once after each.
+  [[nodiscard]] std::optional<double> take_still_ms() {
+    return std::exchange(still_ms_, std::nullopt);
+  }
+
   /// Begins to refine anew, as what is drawn has changed at rest. What is shown stays until it is
   /// drawn over. Returns whether it did: amid a first pass it does not, so that one comes to its
   /// end.
@@ -61,6 +67,8 @@ class LivePicture {
   Stage stage_ = Stage::Complete;
   std::uint32_t next_row_ = 0;  ///< of the stage's next band
   double rows_per_ms_ = 4.0;    ///< of the last band
+  double bands_ms_ = 0.0;       ///< of the stage's bands so far
+  std::optional<double> still_ms_;
 };
 
 }  // namespace relief

@@ -24,7 +24,14 @@ double cost_ratio(std::size_t from, std::size_t to) {
 
 }  // namespace
 
+void Pacer::note_still(double ms) {
+  if (!is_guess_) return;
+  step_ = 0;
+  while (step_ + 1 < kQualities.size() && ms * cost_ratio(0, step_) > target_ms_) ++step_;
+}
+
 void Pacer::note(double frame_ms) {
+  is_guess_ = false;
   if (frame_ms > kSlow * target_ms_) {
     if (frame_ms < kVerySlow * target_ms_ && ++slow_frames_ < kSlowFrames) return;
     slow_frames_ = 0;

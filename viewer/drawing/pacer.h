@@ -38,12 +38,19 @@ class Pacer {
   /// little make it finer by one.
   void note(double frame_ms);
 
+  /// What a whole picture at rest took, of the finest quality: a guess, until note() knows better.
+  void note_still(double ms);
+
+  /// Another model is shown.
+  void forget() { is_guess_ = true; }
+
   void set_target(double target_ms) { target_ms_ = target_ms; }
   [[nodiscard]] double target_ms() const { return target_ms_; }
 
  private:
   double target_ms_;
-  std::size_t step_ = 2;  ///< a guess: the first frame is not the one to find out
+  std::size_t step_ = 2;
+  bool is_guess_ = true;
   int slow_frames_ = 0;   ///< one after the other
   int quick_frames_ = 0;  ///< one after the other
   int slow_after_finer_ =

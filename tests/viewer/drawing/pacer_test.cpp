@@ -40,6 +40,22 @@ TEST(Pacer, KeepsTheTargetOnMachinesOfAllSpeeds) {
   }
 }
 
+TEST(Pacer, GuessesByThePictureAtRestUntilItHasMoved) {
+  Pacer slow(33.0);
+  slow.note_still(250.0);
+  EXPECT_EQ(slow.quality().scale, kQualities.back().scale);
+  Pacer fast(33.0);
+  fast.note_still(5.0);
+  EXPECT_EQ(fast.quality().scale, 1.0);
+  fast.note(40.0);
+  const double known = fast.quality().scale;
+  fast.note_still(1000.0);
+  EXPECT_EQ(fast.quality().scale, known);
+  fast.forget();
+  fast.note_still(1000.0);
+  EXPECT_EQ(fast.quality().scale, kQualities.back().scale);
+}
+
 TEST(Pacer, IsAsFineAsTheMachineAllows) {
   Pacer fast(33.0);
   run(fast, {20.0, 3.0}, 100);
