@@ -63,6 +63,12 @@ struct PatchSummary {
 /// Returns a world box about all samples that a patch with this summary can have.
 [[nodiscard]] Bounds box_of(const PatchSummary& patch);
 
+/// Texels a cell of the maps of a patch; 1 of those that it has not.
+struct MapScales {
+  std::uint32_t normals = 1;
+  std::uint32_t colours = 1;
+};
+
 /// The maps of patches that are read. Heights always are.
 struct PatchSections {
   bool normals = true;
@@ -134,6 +140,9 @@ class PatchFile {
   /// belongs to one thread. Maps that `sections` leaves out are empty, and their bytes not read.
   [[nodiscard]] Result<Patch> read_patch(std::uint64_t index, ZstdContexts& zstd,
                                          const PatchSections& sections = {}) const;
+
+  /// Returns what the index says of a patch's maps, without reading them.
+  [[nodiscard]] MapScales map_scales(std::uint64_t index) const;
 
   /// Returns the minimum memory that the decoded patches take, in bytes.
   [[nodiscard]] std::uint64_t decoded_bytes(std::span<const std::uint64_t> patches,

@@ -340,6 +340,17 @@ SectionBytes PatchFile::bytes_read() const {
   return {state_->heights_read, state_->normals_read, state_->colours_read, state_->scalars_read};
 }
 
+MapScales PatchFile::map_scales(std::uint64_t index) const {
+  assert(index < state_->index.patches.size() && "the caller checks info().patches");
+  const PatchRecord& patch = state_->index.patches[index];
+  const auto scale_of = [&](ChunkType type) -> std::uint32_t {
+    const ChunkRecord* const chunk = state_->find_chunk(patch, type);
+    // read_patch() refuses one that is not valid.
+    return chunk != nullptr && is_map_scale_valid(patch.summary, chunk->scale) ? chunk->scale : 1U;
+  };
+  return {scale_of(kNormalsChunk), scale_of(kColoursChunk)};
+}
+
 std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches,
                                        const PatchSections& sections) const {
   const FileIndex& index = state_->index;

@@ -205,7 +205,9 @@ bool StreamedPatches::update(std::span<const RenderSettings> views, double ms) {
   ++updates_;
   choose(views);
   make_cut();
-  if (!has_room_) {
+  // Not before the first picture: a texture of the budget's size takes 80 ms where OpenGL runs on
+  // the CPU.
+  if (!has_room_ && updates_ > 1) {
     const auto reserved = pool_.reserve(room_.maps);
     // If there is less memory than the budget, adding chunks will say so.
     has_room_ = !reserved || *reserved;

@@ -94,15 +94,12 @@ Status TileSource::look_at_finest(PatchModel& extent) {
   const std::vector<PatchSummary>& patches = file->patches();
   if (patches.empty()) return {};
   const auto nodes_of = [](const PatchSummary& p) { return std::uint64_t{p.width} * p.height; };
-  // A large one takes a tenth of a second.
-  const auto smallest = std::ranges::min_element(patches, {}, nodes_of);
-  RELIEF_TRY_ASSIGN(const Patch patch,
-                    file->read_patch(static_cast<std::uint64_t>(smallest - patches.begin())));
+  const auto largest = std::ranges::max_element(patches, {}, nodes_of);
+  const MapScales scales = file->map_scales(static_cast<std::uint64_t>(largest - patches.begin()));
   std::uint64_t nodes = 0;
   for (const PatchSummary& p : patches) nodes += nodes_of(p);
   const auto samples = static_cast<double>(std::max<std::uint64_t>(file->info().samples, 1));
-  kind_ = {static_cast<double>(nodes) / samples, std::max(patch.normals.scale, 1U),
-           std::max(patch.colours.scale, 1U)};
+  kind_ = {static_cast<double>(nodes) / samples, scales.normals, scales.colours};
   return {};
 }
 

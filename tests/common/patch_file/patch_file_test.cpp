@@ -187,6 +187,8 @@ TEST(PatchFile, DescribesItsContentWithoutReadingPatches) {
     EXPECT_EQ(summary.origin, patch->origin);
     EXPECT_EQ(summary.axes, patch->axes);
     EXPECT_EQ(summary.samples, count_samples(*patch));
+    EXPECT_EQ(file->map_scales(p).normals, patch->normals.scale);
+    EXPECT_EQ(file->map_scales(p).colours, patch->colours.scale);
     std::int32_t lowest = kMaxHeightRange;
     std::int32_t highest = 0;
     const glm::vec3 axis = unit_from_snorm16(summary.cone_axis);
