@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "renderer/shading/standing_cube.h"
 #include "shaders/include/shading.h"
 #include "tests/renderer/shading/environments.h"
 
@@ -17,6 +18,7 @@ using test::environment_of;
 
 glm::vec3 scattered_under(const CubeMap& cube, glm::vec3 normal) {
   shared::Frame frame{};
+  set_environment(frame, glm::dmat3(1.0));
   std::ranges::copy(irradiance_of(cube), frame.irradiance);
   return shared::scattered(frame, normal);
 }
@@ -63,6 +65,7 @@ TEST(Irradiance, OfAnyLightIsItsIntegralUpToTheSecondOrder) {
 
 TEST(LitByEnvironment, AWhiteSurfaceInWhiteLightIsWhite) {
   shared::Frame frame{};
+  set_environment(frame, glm::dmat3(1.0));
   std::ranges::copy(irradiance_of(environment_of(32, [](glm::dvec3) { return glm::vec3(1.0F); })),
                     frame.irradiance);
   for (const float facing : {1.0F, 0.5F, 0.01F}) {

@@ -66,9 +66,13 @@ TEST_F(Inspecting, PatchesHaveTheirColours) {
 TEST_F(Inspecting, LevelsHaveTheirs) {
   show(Inspection::Levels);
   expect_near(colour_at_middle(), linear_from_srgb8(level_colour(0)));
-  // Its samples are seen 1.2 pixels apart. Level 1 is off by s^2 / 8 of a ball's radius, for s =
-  // 0.1, which is 1/32 of a pixel, and level 2 by four times that; 8/128 of a pixel are allowed.
-  session_.look.options["pixels-per-sample"] = 8.0;
+  // Four times as large, so that it is not seen from afar: its samples are 4.8 pixels apart. Level
+  // 1 is off by s^2 / 8 of a ball's radius, for s = 0.1, which is 1/8 of a pixel, and level 2 by
+  // four times that; 32/128 of a pixel are allowed.
+  Camera camera = session_.navigator.camera();
+  camera.vertical_fov_degrees = 12.0;
+  session_.navigator.set_camera(camera);
+  session_.look.options["pixels-per-sample"] = 32.0;
   show(Inspection::Levels);
   expect_near(colour_at_middle(), linear_from_srgb8(level_colour(1)));
 }
