@@ -118,13 +118,15 @@ Result<std::unique_ptr<Viewport>> Viewport::make(const GlLoader& load, const Ren
     if (!is_for_viewports(*engine))
       return make_error("engine {} does not draw with OpenGL, which a viewport needs", name);
     for (const RenderSettings& view : views) RELIEF_TRY(check_engine(*engine, view, model, among));
-    RELIEF_TRY_ASSIGN(made->prepared_[name], engine->prepare({.model = model,
-                                                              .views = views,
-                                                              .opengl = made->opengl_,
-                                                              .environments = made->environments_,
-                                                              .levels = KeptLevels::All,
-                                                              .pool = pool,
-                                                              .collected = collected}));
+    RELIEF_TRY_ASSIGN(made->prepared_[name],
+                      engine->prepare({.model = model,
+                                       .views = views,
+                                       .opengl = made->opengl_,
+                                       .environments = made->environments_,
+                                       .levels = KeptLevels::All,
+                                       .pool = pool,
+                                       // Used up by the first.
+                                       .collected = groups.size() == 1 ? collected : nullptr}));
   }
   return made;
 }

@@ -64,16 +64,21 @@ SceneSettings& edited_look(Session& session) {
 }
 
 Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look) {
+  return settings_of(session, look, *session.scene);
+}
+
+Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look,
+                                   const LoadedScene& scene) {
   const ScenePlan& plan = session.document.plan();
   PlannedView view = plan.views.front();
   view.settings = look;
   // What a model says itself stays; the panels change the rest.
   for (std::size_t k = 0; k < view.options_of_models.size(); ++k)
     view.options_of_models[k] = overlay_options(look.options, plan.models[k].options);
-  RELIEF_TRY_ASSIGN(RenderSettings settings,
-                    render_settings_of(plan, view, session.scene->patches));
-  complete_look(view, *session.scene, settings);
+  RELIEF_TRY_ASSIGN(RenderSettings settings, render_settings_of(plan, view, scene.patches));
+  complete_look(view, scene, settings);
   settings.camera = session.navigator.camera();
+  settings.environment_stance = session.navigator.stance();
   settings.width = static_cast<std::uint32_t>(session.window.x);
   settings.height = static_cast<std::uint32_t>(session.window.y);
   settings.outputs = {};
@@ -81,10 +86,14 @@ Result<RenderSettings> settings_of(const Session& session, const SceneSettings& 
 }
 
 Result<Looks> looks_of(const Session& session) {
+  return looks_of(session, *session.scene);
+}
+
+Result<Looks> looks_of(const Session& session, const LoadedScene& scene) {
   Looks looks;
-  RELIEF_TRY_ASSIGN(looks.first, settings_of(session, session.look));
+  RELIEF_TRY_ASSIGN(looks.first, settings_of(session, session.look, scene));
   if (session.compared) {
-    RELIEF_TRY_ASSIGN(looks.second, settings_of(session, *session.compared));
+    RELIEF_TRY_ASSIGN(looks.second, settings_of(session, *session.compared, scene));
   }
   looks.first = inspected(std::move(looks.first), session.inspection);
   if (looks.second) looks.second = inspected(*std::move(looks.second), session.inspection);

@@ -125,10 +125,15 @@ void add_message(Session& session, std::string text, bool is_error, double now);
 bool drop_old_messages(Session& session, double now);
 
 /// Returns the renderer's settings of a look for the window's size and the present camera, as
-/// `relief render` completes them. Fails as render_settings_of() does.
+/// `relief render` completes them, of `session.scene` or another scene of the open files. Fails as
+/// render_settings_of() does.
 Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look);
+Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look,
+                                   const LoadedScene& scene);
 
-/// Returns the settings of what the window shows, for its inspection. `session.scene` is not null.
+/// Returns the settings of what the window shows, for its inspection, of `session.scene`, which is
+/// not null, or likewise.
 Result<Looks> looks_of(const Session& session);
+Result<Looks> looks_of(const Session& session, const LoadedScene& scene);
 
 }  // namespace relief

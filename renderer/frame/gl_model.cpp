@@ -62,18 +62,14 @@ Result<std::unique_ptr<GlModel>> GlModel::create(GlModelParts parts) {
     made->depth_needs_.bounds = parts.pool->body().box;
     return made;
   }
+  StoreOrder order = order_for(parts.patches, parts.views, parts.needs, parts.levels);
   // A look may have changed since it was collected for.
-  const bool is_collected =
-      parts.collected != nullptr && parts.collected->order().needs == parts.needs &&
-      parts.collected->order().all_levels == (parts.levels == KeptLevels::All);
-  if (is_collected) {
+  if (parts.collected != nullptr && parts.collected->serves(order)) {
     RELIEF_TRY_ASSIGN(made->store_, parts.collected->upload(made->gl()));
     return made;
   }
-  RELIEF_TRY_ASSIGN(
-      const auto collected,
-      CollectedStore::collect(store_limits(made->gl()), parts.patches,
-                              order_for(parts.patches, parts.views, parts.needs, parts.levels)));
+  RELIEF_TRY_ASSIGN(const auto collected, CollectedStore::collect(store_limits(made->gl()),
+                                                                  parts.patches, std::move(order)));
   RELIEF_TRY_ASSIGN(made->store_, collected->upload(made->gl()));
   return made;
 }

@@ -1,9 +1,12 @@
+#include "renderer/store/collected_store.h"
+
+#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
 
-#include "renderer/store/collected_store.h"
+#include "renderer/view/cull_mode.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -25,7 +28,18 @@ CellStore upload_cells(const Gl& gl, GridUpload& grids, CollectedModel& model) {
   return {std::move(model.parts), std::move(pages), std::move(positions)};
 }
 
+bool has_proxies(const StoreOrder& order) {
+  return std::ranges::any_of(order.views,
+                             [](const View& view) { return view.proxy_diameter > 0.0; });
+}
+
 }  // namespace
+
+bool CollectedStore::serves(const StoreOrder& order) const {
+  return order_.all_levels && order.all_levels && order_.needs == order.needs &&
+         has_proxies(order_) == has_proxies(order) &&
+         make_use_of_bodies(order_.views) == make_use_of_bodies(order.views);
+}
 
 Result<std::unique_ptr<CollectedStore>> CollectedStore::collect(const StoreLimits& limits,
                                                                 const PatchModel& model,

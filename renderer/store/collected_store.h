@@ -29,7 +29,9 @@ class CollectedStore {
                                                          const PatchModel& model, StoreOrder order,
                                                          const std::stop_token& stop = {});
 
-  [[nodiscard]] const StoreOrder& order() const { return order_; }
+  /// Whether it serves another order, if both are for all levels: of its views only what is made of
+  /// any of them counts.
+  [[nodiscard]] bool serves(const StoreOrder& order) const;
 
   /// Uploads it, once. Fails if OpenGL lacks memory or a map is larger than it allows.
   Result<PatchStore> upload(const Gl& gl);

@@ -133,6 +133,50 @@ TEST(Viewport, DrawsTheSameOfWhatWasCollectedOnAnotherThread) {
   }
 }
 
+// A look may be set beside another engine's while its model is collected: what was collected is
+// used up by one of them.
+TEST(Viewport, DrawsTwoEnginesOfWhatWasCollectedForOne) {
+  const PatchModel model = viewport_model();
+  const RenderModel form = RenderModel::of(model);
+  std::vector<RenderSettings> looks(2, views_around(model)[0]);
+  looks[0].primitive = looks[1].primitive = Primitive::Quad;
+  looks[0].interpolation = Interpolation::Direct;  // needs as much as the other
+  looks[1].engine = "multipass";
+  std::vector<Image> expected;
+  for (const RenderSettings& look : looks)
+    expected.push_back(render_with_all_levels(model, {&look, 1}).front());
+  const Window window;
+  const auto collected = collect_for_viewport(form, {looks.data(), 1}, store_limits(window.gl()));
+  ASSERT_TRUE(collected) << collected.error().message;
+  const auto viewport = Viewport::create(window.loader(), form, looks, engines(), collected->get());
+  ASSERT_TRUE(viewport) << viewport.error().message;
+  for (std::size_t k = 0; k < looks.size(); ++k) {
+    const WindowFramebuffer into(window.gl(), looks[k].width, looks[k].height);
+    ASSERT_TRUE((*viewport)->draw(looks[k], into.framebuffer.id()));
+    const Image image = read_colour(window.gl(), into.colour, looks[k].width, looks[k].height);
+    for (const char* const channel : {"R", "G", "B", "A"})
+      EXPECT_EQ(test::values(image, channel), test::values(expected[k], channel)) << k << channel;
+  }
+}
+
+TEST(CollectedStore, ServesOrdersOfWhichTheSameIsMade) {
+  const PatchModel model = viewport_model();
+  const Window window;
+  StoreOrder order{{.cells = true}, std::vector<View>(1), true};
+  const auto collected = CollectedStore::collect(store_limits(window.gl()), model, order);
+  ASSERT_TRUE(collected);
+  const auto serves = [&](const auto& change) {
+    StoreOrder other = order;
+    change(other);
+    return (*collected)->serves(other);
+  };
+  EXPECT_TRUE(serves([](StoreOrder& o) { o.views.front().eye = {1.0, 2.0, 3.0}; }));
+  EXPECT_FALSE(serves([](StoreOrder& o) { o.needs.normals = true; }));
+  EXPECT_FALSE(serves([](StoreOrder& o) { o.views.front().proxy_diameter = 128.0; }));
+  EXPECT_FALSE(serves([](StoreOrder& o) { o.views.front().cull = CullMode::Auto; }));
+  EXPECT_FALSE(serves([](StoreOrder& o) { o.all_levels = false; }));
+}
+
 TEST(Viewport, CollectsNothingForSeveralEnginesAndStopsWhenAsked) {
   const PatchModel model = viewport_model();
   const RenderModel form = RenderModel::of(model);

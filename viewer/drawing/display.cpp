@@ -49,33 +49,22 @@ Result<std::unique_ptr<Display>> Display::create(const GlLoader& load) {
 }
 
 std::unique_ptr<CollectJob> Display::collect(std::shared_ptr<const LoadedScene> scene,
-                                             Session& session) const {
+                                             const Session& session) const {
   if (!is_slow_to_collect(*scene)) return nullptr;
-  const std::shared_ptr<const LoadedScene> shown = std::exchange(session.scene, scene);
-  const auto looks = looks_of(session);
-  session.scene = shown;
+  const auto looks = looks_of(session, *scene);
   if (!looks) return nullptr;
-  std::vector<RenderSettings> all{looks->first};
-  if (looks->second) all.push_back(*looks->second);
-  return std::make_unique<CollectJob>(std::move(scene), std::move(all), store_limits(opengl_->gl()),
-                                      session.streaming.wake);
+  return std::make_unique<CollectJob>(std::move(scene), list_of(*looks),
+                                      store_limits(opengl_->gl()), session.streaming.wake);
 }
 
 Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session,
                      CollectedStore* collected) {
-  const std::shared_ptr<const LoadedScene> before = std::exchange(session.scene, scene);
   if (scene->has_kernels()) session.inspection = Inspection::Picture;
-  const auto values = values_of(*scene);
-  auto view = [&]() -> Result<std::unique_ptr<UploadedScene>> {
-    RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
-    return UploadedScene::create(load_, std::move(scene), looks, session.streaming, collected);
-  }();
-  if (!view) {
-    session.scene = before;
-    return view.error();
-  }
-  scene_ = *std::move(view);
-  session.volume_values = values;
+  RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session, *scene));
+  RELIEF_TRY_ASSIGN(scene_,
+                    UploadedScene::create(load_, scene, looks, session.streaming, collected));
+  session.volume_values = values_of(*scene);
+  session.scene = std::move(scene);
   pacer_.forget();
   points_.reset();
   drawn_inspection_ = session.inspection;
@@ -208,9 +197,7 @@ Result<bool> Display::stream(Session& session) {
   StreamedPatches* const stream = scene_ ? scene_->stream() : nullptr;
   if (stream == nullptr) return false;
   RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
-  std::vector<RenderSettings> views{looks.first};
-  if (looks.second) views.push_back(*looks.second);
-  is_stale_ |= stream->update(views, kUploadMs);
+  is_stale_ |= stream->update(list_of(looks), kUploadMs);
   session.stream = stream->state();
   if (is_stale_ && picture_.restart()) is_stale_ = false;
   const std::vector<std::string> failures = stream->take_failures();

@@ -27,8 +27,7 @@ class Display {
   static Result<std::unique_ptr<Display>> create(const GlLoader& load);
 
   /// Uploads what has arrived, which then is what is drawn, and puts it into the session. If that
-  /// fails, what was there before stays.
-  /// `collected`: what a job of collect() has made of it.
+  /// fails, what was there before stays. `collected`: what a job of collect() has made of it.
   Status show(std::shared_ptr<const LoadedScene> scene, Session& session,
               CollectedStore* collected = nullptr);
   Status show(const ScanPoints& points);
@@ -36,7 +35,7 @@ class Display {
   /// Begins to collect what show() will upload of a scene, for the session's looks. Null if that is
   /// quick, or the looks can't be drawn, which show() will say.
   [[nodiscard]] std::unique_ptr<CollectJob> collect(std::shared_ptr<const LoadedScene> scene,
-                                                    Session& session) const;
+                                                    const Session& session) const;
 
   /// Takes what is shown off the GPU and out of the session.
   void show_nothing(Session& session);

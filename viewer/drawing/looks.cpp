@@ -29,6 +29,12 @@ std::uint32_t scaled(std::uint32_t side, double scale) {
 
 }  // namespace
 
+std::vector<RenderSettings> list_of(const Looks& looks) {
+  std::vector<RenderSettings> list{looks.first};
+  if (looks.second) list.push_back(*looks.second);
+  return list;
+}
+
 std::vector<Pane> panes_of(const Looks& looks, int samples) {
   std::vector<Pane> panes = panes_of(looks, looks.first.width, looks.first.height);
   for (Pane& pane : panes) pane.settings.samples = std::min(pane.settings.samples, samples);

@@ -18,6 +18,9 @@ struct Looks {
   double divider = 0.5;                  ///< share of the width, 0 to 1
 };
 
+/// Returns the one or two.
+[[nodiscard]] std::vector<RenderSettings> list_of(const Looks& looks);
+
 /// A look and where it is shown.
 struct Pane {
   RenderSettings settings;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/engine_checks.h"
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_frame.h"
 
@@ -63,6 +64,10 @@ bool UploadedScene::has(const RenderSettings& look) const {
 }
 
 Status UploadedScene::prepare(const Looks& looks, CollectedStore* collected) {
+  for (const RenderSettings& look : list_of(looks)) {
+    RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_named(look.engine, engines()));
+    RELIEF_TRY(check_engine(*engine, look, forms_));
+  }
   std::vector<RenderSettings> wanted = looks_;
   if (!has(looks.first)) wanted.push_back(looks.first);
   if (looks.second && !has(*looks.second)) wanted.push_back(*looks.second);

@@ -84,6 +84,25 @@ TEST_F(Showing, ALookThatCannotBeDrawnIsPutBack) {
   finish();
 }
 
+TEST_F(Showing, ALookThatNeedsNoOtherUploadIsStillChecked) {
+  session_.look.engine = "multipass";
+  show(ball());
+  finish();
+  session_.look.opacity = 0.5F;  // which multipass does not draw
+  session_.look_changed = true;
+  EXPECT_FALSE(display_->update(session_, false));
+  EXPECT_FALSE(session_.look.opacity);
+  finish();
+}
+
+TEST_F(Showing, TheEnvironmentStandsAsTheUpAxisSays) {
+  show(ball());
+  const auto stance = [&] { return settings_of(session_, session_.look)->environment_stance; };
+  EXPECT_EQ(stance(), Stance{});
+  session_.navigator.set_up_axis(glm::dvec3(0.0, 0.0, 1.0));
+  EXPECT_EQ(stance(), kZUp);
+}
+
 TEST_F(Showing, FindsTheSurfaceUnderTheCursor) {
   show(ball());
   const auto pixel = display_->probe(session_, {48.0, 32.0});
