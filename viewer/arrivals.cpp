@@ -8,7 +8,6 @@
 #include "viewer/remember.h"
 
 namespace relief {
-
 namespace {
 
 Status show(std::shared_ptr<const LoadedScene> scene, CollectedStore* collected, bool is_first,

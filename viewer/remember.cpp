@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "viewer/settings/paths.h"
 #include "viewer/settings/settings_file.h"
 
 namespace relief {
@@ -29,10 +29,8 @@ void apply_preferences(Preferences preferences, Session& session) {
 
 void follow_bookmarks(Session& session) {
   const auto& files = session.document.files();
-  std::error_code failed;
   const std::filesystem::path now =
-      files.empty() ? std::filesystem::path()
-                    : std::filesystem::absolute(files.front(), failed).lexically_normal();
+      files.empty() ? std::filesystem::path() : whole_path(files.front());
   std::vector<FileBookmarks>& kept = session.preferences.bookmarks;
   if (!session.bookmarked.empty())
     keep_bookmarks(kept, session.bookmarked, session.bookmarks.list());

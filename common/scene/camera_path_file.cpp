@@ -44,16 +44,7 @@ CameraKey read_key(JsonValues& values, const JsonNode& node, double usual_time) 
     camera.up = read_vector(values, *up);
   if (!(glm::length(camera.up) >= kShortestSight))
     values.refuse(node.path + ".up", "is no direction; its length is at least 1e-12");
-  const auto orthographic = JsonValues::member(node, "orthographic");
-  if (const auto fov = JsonValues::member(node, "fov")) {
-    camera.vertical_fov_degrees =
-        values.number(*fov, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.01 to 175");
-  }
-  if (orthographic) {
-    camera.orthographic_height =
-        values.number(*orthographic, {kOrthographicHeights.min, kOrthographicHeights.max},
-                      "the image's height, from 1e-12 to 1e12");
-  }
+  read_lens(values, node, camera);
   if (!(glm::distance(camera.eye, camera.target) >= kShortestSight))
     values.refuse(node.path, "the eye is where its target is");
   return key;
@@ -92,10 +83,6 @@ CameraPath make_path(JsonValues& values, const JsonNode& root) {
   return path;
 }
 
-nlohmann::ordered_json as_json(glm::dvec3 v) {
-  return {v.x, v.y, v.z};
-}
-
 }  // namespace
 
 Result<CameraPath> parse_camera_path(std::string_view text, const std::string& name) {
@@ -128,9 +115,9 @@ std::string camera_path_text(const CameraPath& path) {
     nlohmann::ordered_json entry;
     if (!key.name.empty()) entry["name"] = key.name;
     entry["time"] = key.time;
-    entry["eye"] = as_json(camera.eye);
-    entry["target"] = as_json(camera.target);
-    entry["up"] = as_json(camera.up);
+    entry["eye"] = numbers_of(camera.eye);
+    entry["target"] = numbers_of(camera.target);
+    entry["up"] = numbers_of(camera.up);
     entry["fov"] = camera.vertical_fov_degrees;
     if (camera.is_orthographic()) entry["orthographic"] = camera.orthographic_height;
     json["keys"].push_back(std::move(entry));

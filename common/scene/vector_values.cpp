@@ -31,4 +31,16 @@ double read_angle(JsonValues& values, const JsonNode& node) {
   return values.number(node, kAngleRange, "degrees from -1e6 to 1e6");
 }
 
+void read_lens(JsonValues& values, const JsonNode& object, Camera& camera) {
+  if (const auto fov = JsonValues::member(object, "fov")) {
+    camera.vertical_fov_degrees =
+        values.number(*fov, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.01 to 175");
+  }
+  if (const auto height = JsonValues::member(object, "orthographic")) {
+    camera.orthographic_height =
+        values.number(*height, {kOrthographicHeights.min, kOrthographicHeights.max},
+                      "the image's height, from 1e-12 to 1e12");
+  }
+}
+
 }  // namespace relief

@@ -63,8 +63,7 @@ PatchSamples make_samples(const Patch& patch, float to_hole) {
   const std::vector<SplatReach> reaches =
       find_reaches(heights, slopes, samples.height_step, to_hole);
   // Patches of scans in tiles have up to a million; a list that grows would take twice as much.
-  samples.records.reserve(patch.heights.size() -
-                          static_cast<std::size_t>(std::ranges::count(patch.heights, kHole)));
+  samples.records.reserve(count_samples(patch));
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       const std::size_t k = heights.index(i, j);

@@ -103,18 +103,16 @@ ScanPoints scan_points_of(const Points& points) {
 ScanPoints scan_points_of(const PatchModel& given) {
   ScanPoints shown;
   shown.extent = without_patches(given);
-  const PatchModel placed = given.instances.empty() ? PatchModel() : bake(given);
-  const std::vector<Patch>& patches = given.instances.empty() ? given.patches : placed.patches;
+  const PatchModel baked = given.instances.empty() ? PatchModel() : bake(given);
+  const PatchModel& placed = given.instances.empty() ? given : baked;
   shown.origin = 0.5 * (given.bounds.min + given.bounds.max);
   const glm::vec3 up(given.stance.up);
-  const std::size_t count = std::accumulate(
-      patches.begin(), patches.end(), std::size_t{0},
-      [](std::size_t sum, const Patch& patch) { return sum + count_samples(patch); });
+  const std::size_t count = count_samples(placed);
   if (count == 0) return shown;
   const double share = std::min(1.0, double{kMostShownSamples} / static_cast<double>(count));
   std::vector<ShownPoint> samples;
   double place = 0.0;
-  for (const Patch& patch : patches) {
+  for (const Patch& patch : placed.patches) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
@@ -130,8 +128,8 @@ ScanPoints scan_points_of(const PatchModel& given) {
   shown.points.reserve(kept);
   for_each_spread(kept, kept, [&](std::size_t index) { shown.points.push_back(samples[index]); });
   shown.is_lit = !given.has_colours;
-  shown.spacing =
-      wide_spacing_of(patches) * std::sqrt(static_cast<double>(count) / static_cast<double>(kept));
+  shown.spacing = wide_spacing_of(placed.patches) *
+                  std::sqrt(static_cast<double>(count) / static_cast<double>(kept));
   return shown;
 }
 

@@ -3,7 +3,6 @@
 #include <new>
 #include <utility>
 
-#include "common/transform.h"
 #include "renderer/viewport.h"
 
 namespace relief {

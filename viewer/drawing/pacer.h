@@ -50,7 +50,7 @@ class Pacer {
  private:
   double target_ms_;
   std::size_t step_ = 2;
-  bool is_guess_ = true;
+  bool is_guess_ = true;  ///< of step_: nothing has moved yet
   int slow_frames_ = 0;   ///< one after the other
   int quick_frames_ = 0;  ///< one after the other
   int slow_after_finer_ =

@@ -18,7 +18,6 @@ using nlohmann::json;
 
 constexpr std::size_t kLongestName = 1000;  // bytes
 constexpr double kMostSeconds = 1e6;        // between bookmarks
-constexpr double kHighest = 1e12;           // image of an orthographic camera, world units
 
 bool is_object(JsonValues& values, const JsonNode& node) {
   if (!node.value.is_object()) values.refuse_value(node, "an object");
@@ -36,12 +35,7 @@ std::optional<Bookmark> read_bookmark(JsonValues& values, const JsonNode& node) 
   read("eye", made.camera.eye, vector);
   read("target", made.camera.target, vector);
   read("up", made.camera.up, vector);
-  read("fov", made.camera.vertical_fov_degrees, [&](const JsonNode& n) {
-    return values.number(n, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.01 to 175");
-  });
-  read("height", made.camera.orthographic_height, [&](const JsonNode& n) {
-    return values.number(n, {0.0, kHighest}, "a number from 0 to 1e12");
-  });
+  read_lens(values, node, made.camera);
   read("seconds", made.seconds, [&](const JsonNode& n) {
     return values.number(n, {1e-3, kMostSeconds}, "seconds from 0.001 to 1000000");
   });
@@ -49,19 +43,15 @@ std::optional<Bookmark> read_bookmark(JsonValues& values, const JsonNode& node) 
   return made;
 }
 
-json json_of(const glm::dvec3& v) {
-  return {v.x, v.y, v.z};
-}
-
 json json_of(const Bookmark& bookmark) {
   const Camera& camera = bookmark.camera;
   json made{{"name", bookmark.name},
-            {"eye", json_of(camera.eye)},
-            {"target", json_of(camera.target)},
-            {"up", json_of(camera.up)},
+            {"eye", numbers_of(camera.eye)},
+            {"target", numbers_of(camera.target)},
+            {"up", numbers_of(camera.up)},
             {"fov", camera.vertical_fov_degrees},
             {"seconds", bookmark.seconds}};
-  if (camera.is_orthographic()) made["height"] = camera.orthographic_height;
+  if (camera.is_orthographic()) made["orthographic"] = camera.orthographic_height;
   return made;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace relief {
 
@@ -13,6 +14,14 @@ inline constexpr std::size_t kLongestPath = 4096;  // PATH_MAX of Linux
   // With a zero byte it would be another file's name to the operating system.
   return text.size() <= kLongestPath && text.find('\0') == std::string::npos &&
          std::filesystem::path(text).is_absolute();
+}
+
+/// Returns a path as the settings keep it: absolute and without detours. Empty if the working
+/// directory is gone.
+[[nodiscard]] inline std::filesystem::path whole_path(const std::filesystem::path& path) {
+  std::error_code failed;
+  const std::filesystem::path whole = std::filesystem::absolute(path, failed).lexically_normal();
+  return failed ? std::filesystem::path() : whole;
 }
 
 }  // namespace relief

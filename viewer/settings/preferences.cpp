@@ -84,9 +84,8 @@ json texts_of(const std::vector<fs::path>& paths) {
 }  // namespace
 
 void remember(std::vector<fs::path>& list, const fs::path& path, std::size_t most) {
-  std::error_code failed;
-  fs::path whole = fs::absolute(path, failed).lexically_normal();
-  if (failed) return;  // the working directory is gone
+  fs::path whole = whole_path(path);
+  if (whole.empty()) return;
   std::erase(list, whole);
   list.insert(list.begin(), std::move(whole));
   if (list.size() > most) list.resize(most);

@@ -1,22 +1,19 @@
 // Every material and light in every engine, against the ray tracer, which shades by the same text;
 // and materials of several patches in one image.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "common/image/image_io.h"
 #include "common/transform.h"
 #include "renderer/frame/features.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/images.h"
-#include "tests/renderer/shading/smooth_environment.h"
+#include "tests/renderer/shading/environment_file.h"
 
 namespace relief {
 namespace {

@@ -12,7 +12,7 @@
 #include "common/transform.h"
 #include "renderer/shading/standing_cube.h"
 #include "tests/renderer/images.h"
-#include "tests/renderer/shading/smooth_environment.h"
+#include "tests/renderer/shading/environment_file.h"
 #include "tests/renderer/view/orthographic.h"
 
 namespace relief {

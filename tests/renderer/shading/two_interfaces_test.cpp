@@ -2,21 +2,19 @@
 // it at an angle i, refracted to t, the part that leaves it after k reflections within has turned
 // by 2 (i - t) + k (pi - 2 t), in the plane of incidence, and each chord is cos t diameters long.
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <string_view>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
-#include "common/image/image_io.h"
 #include "common/transform.h"
 #include "renderer/engines/onepass/features.h"
 #include "tests/renderer/images.h"
 #include "tests/renderer/meshes.h"
+#include "tests/renderer/shading/environment_file.h"
 #include "tests/renderer/view/orthographic.h"
 
 namespace relief {
@@ -33,36 +31,14 @@ glm::dvec3 light_from(glm::dvec3 d) {
 }
 
 /// A file with that light.
-class LinearLight {
+class LinearLight : public test::EnvironmentFile {
  public:
   LinearLight()
-      : path_(std::filesystem::temp_directory_path() /
-              ("relief-linear-" + std::to_string(::getpid()) + ".exr")) {
-    constexpr std::uint32_t kHeight = 256;
-    Image image{2 * kHeight, kHeight, {}};
-    const char* const names[] = {"R", "G", "B"};
-    for (glm::length_t c = 0; c < 3; ++c) {
-      Channel channel{names[c], ChannelType::Float, {}};
-      for (std::uint32_t y = 0; y < kHeight; ++y) {
-        for (std::uint32_t x = 0; x < 2 * kHeight; ++x) {
-          const double across = std::acos(-1.0) * ((x + 0.5) / kHeight - 1.0);  // 0: toward -Z
-          const double down = std::acos(-1.0) * (y + 0.5) / kHeight;
-          const glm::dvec3 d(std::sin(down) * std::sin(across), std::cos(down),
-                             -std::sin(down) * std::cos(across));
-          channel.values.push_back(static_cast<float>(light_from(d)[c]));
-        }
-      }
-      image.channels.push_back(std::move(channel));
-    }
-    EXPECT_TRUE(write_exr(path_, image));
-  }
-  ~LinearLight() { std::filesystem::remove(path_); }
-  LinearLight(const LinearLight&) = delete;
-  LinearLight& operator=(const LinearLight&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
+      : EnvironmentFile("linear", 256, [](double across, double down) {
+          // The middle is toward -Z.
+          return light_from({-std::sin(down) * std::sin(across), std::cos(down),
+                             std::sin(down) * std::cos(across)});
+        }) {}
 };
 
 /// What is to be expected of a ray.
