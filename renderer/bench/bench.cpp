@@ -12,6 +12,7 @@
 #include "renderer/engine_registry.h"
 #include "renderer/frame/gl_engine.h"
 #include "renderer/gl/open_gl.h"
+#include "renderer/gl/software.h"
 
 namespace relief {
 namespace {

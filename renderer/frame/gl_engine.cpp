@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/frame/image_parts.h"
+#include "renderer/gl/software.h"
 
 namespace relief {
 namespace {

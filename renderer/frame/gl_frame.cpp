@@ -105,8 +105,4 @@ void finish_coverage(bool opaque, RenderResult& result) {
   }
 }
 
-std::string renderer_name(const Gl& gl) {
-  return reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
-}
-
 }  // namespace relief

@@ -103,7 +103,4 @@ void read_frame(const Gl& gl, const GlFrame& frame, bool opaque, RenderResult& r
 /// Counts what the model covers and, if `opaque`, puts the background under it.
 void finish_coverage(bool opaque, RenderResult& result);
 
-/// OpenGL's name for itself.
-[[nodiscard]] std::string renderer_name(const Gl& gl);
-
 }  // namespace relief

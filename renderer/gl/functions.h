@@ -24,6 +24,7 @@ class GlContext;
   F(PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC, CheckNamedFramebufferStatus) \
   F(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC, ClearNamedFramebufferfv)         \
   F(PFNGLCLEARNAMEDFRAMEBUFFERUIVPROC, ClearNamedFramebufferuiv)       \
+  F(PFNGLCLIENTWAITSYNCPROC, ClientWaitSync)                           \
   F(PFNGLCLIPCONTROLPROC, ClipControl)                                 \
   F(PFNGLCOLORMASKPROC, ColorMask)                                     \
   F(PFNGLCOMPILESHADERPROC, CompileShader)                             \
@@ -41,11 +42,13 @@ class GlContext;
   F(PFNGLDELETEPROGRAMPROC, DeleteProgram)                             \
   F(PFNGLDELETEQUERIESPROC, DeleteQueries)                             \
   F(PFNGLDELETESHADERPROC, DeleteShader)                               \
+  F(PFNGLDELETESYNCPROC, DeleteSync)                                   \
   F(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                   \
   F(PFNGLDEPTHFUNCPROC, DepthFunc)                                     \
   F(PFNGLDEPTHMASKPROC, DepthMask)                                     \
   F(PFNGLENABLEVERTEXARRAYATTRIBPROC, EnableVertexArrayAttrib)         \
   F(PFNGLENDQUERYPROC, EndQuery)                                       \
+  F(PFNGLFENCESYNCPROC, FenceSync)                                     \
   F(PFNGLFINISHPROC, Finish)                                           \
   F(PFNGLFRONTFACEPROC, FrontFace)                                     \
   F(PFNGLGENQUERIESPROC, GenQueries)                                   \

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/median.h"
+#include "renderer/gl/software.h"
 
 namespace relief {
 
@@ -11,8 +12,7 @@ namespace {
 
 /// llvmpipe starts its timer when a thread begins its last tile: it said 0.2 ms of a frame of 10.
 bool has_wrong_timer(const Gl& gl) {
-  const GLubyte* const renderer = gl.GetString(GL_RENDERER);
-  return std::string_view(reinterpret_cast<const char*>(renderer)).starts_with("llvmpipe");
+  return renderer_name(gl).starts_with("llvmpipe");
 }
 
 double milliseconds_of(const Gl& gl, const Query& query) {

@@ -5,7 +5,7 @@
 
 #include "renderer/engine_checks.h"
 #include "renderer/frame/features.h"
-#include "renderer/frame/gl_frame.h"
+#include "renderer/gl/software.h"
 
 namespace relief {
 namespace {
@@ -31,8 +31,7 @@ Kind kind_of(const RenderSettings& look, const ModelMaps& maps) {
 /// What OpenGL on the CPU takes is memory, too, and it is to make the largest texture in less than
 /// a tenth of a second.
 StreamBudget budget_for(StreamBudget budget, const Gl& gl) {
-  const bool is_software = renderer_name(gl).find("llvmpipe") != std::string::npos ||
-                           renderer_name(gl).find("softpipe") != std::string::npos;
+  const bool is_software = draws_on_cpu(gl);
   if (budget.gpu == 0) budget.gpu = is_software ? kSoftwareBudget.gpu : kHardwareBudget.gpu;
   if (budget.memory == 0)
     budget.memory = is_software ? kSoftwareBudget.memory : kHardwareBudget.memory;

@@ -1,9 +1,12 @@
 #include "renderer/engines/onepass/cell_draws.h"
 
 #include <cassert>
+#include <limits>
 #include <span>
 
 #include "renderer/engines/onepass/cell_list.h"
+#include "renderer/gl/draw_throttle.h"
+#include "renderer/gl/software.h"
 #include "renderer/view/draw_list.h"
 #include "shaders/include/shared.h"
 
@@ -13,8 +16,32 @@ namespace {
 template <class Command>
 std::optional<Commands> upload(const Gl& gl, const std::vector<Command>& commands) {
   if (commands.empty()) return std::nullopt;
+  const std::uint64_t most =
+      draws_on_cpu(gl) ? kTrianglesPerFence : std::numeric_limits<std::uint64_t>::max();
   return Commands{make_buffer(gl, "draw commands", std::span<const Command>(commands)),
-                  static_cast<GLsizei>(commands.size())};
+                  slices_of(commands, most)};
+}
+
+/// How a multi-draw puts triangles together.
+struct Primitive {
+  GLenum mode = GL_TRIANGLES;
+  GLenum indices = GL_NONE;  ///< their type; none: vertices in a row
+};
+
+void draw_commands(const Gl& gl, const Commands& commands, Primitive primitive,
+                   DrawThrottle& throttle) {
+  gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.buffer.id());
+  const bool has_indices = primitive.indices != GL_NONE;
+  const std::size_t bytes = has_indices ? sizeof(ElementsCommand) : sizeof(ArraysCommand);
+  for (const Commands::Slice& slice : commands.slices) {
+    // An offset in the buffer, which OpenGL takes as a pointer.
+    const void* const first = reinterpret_cast<const void*>(bytes * slice.first);
+    if (has_indices)
+      gl.MultiDrawElementsIndirect(primitive.mode, primitive.indices, first, slice.count, 0);
+    else
+      gl.MultiDrawArraysIndirect(primitive.mode, first, slice.count, 0);
+    throttle.drew(slice.triangles);
+  }
 }
 
 void bind_page(const Gl& gl, const CellPage& page) {
@@ -42,21 +69,21 @@ class BoundAttributes {
 };
 
 /// As draw_seams.
-void draw_strips(const Gl& gl, const Programs& programs, const CellDraws& draws, bool behind) {
+void draw_strips(const Gl& gl, const Programs& programs, const CellDraws& draws, bool behind,
+                 DrawThrottle& throttle) {
   for (const CellDraws::Page& page : draws.pages) {
     if (!page.strips) continue;
     const CulledFaces culled(gl, behind || page.front_alone);
     const BoundAttributes attributes(gl, *page.page->attributes);
     gl.UseProgram(programs.main.id());
     bind_page(gl, *page.page);
-    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, page.strips->buffer.id());
-    gl.MultiDrawElementsIndirect(GL_TRIANGLE_STRIP, GL_UNSIGNED_SHORT, nullptr, page.strips->count,
-                                 0);
+    draw_commands(gl, *page.strips, {GL_TRIANGLE_STRIP, GL_UNSIGNED_SHORT}, throttle);
   }
 }
 
 /// Triangles face as border splats do.
-void draw_seams(const Gl& gl, const Programs& programs, const CellDraws& draws, bool behind) {
+void draw_seams(const Gl& gl, const Programs& programs, const CellDraws& draws, bool behind,
+                DrawThrottle& throttle) {
   if (draws.seams == nullptr) return;
   const BoundAttributes attributes(gl, draws.seams->attributes);
   gl.UseProgram(programs.seams->id());
@@ -65,8 +92,7 @@ void draw_seams(const Gl& gl, const Programs& programs, const CellDraws& draws, 
     const std::optional<Commands>& commands = draws.*member;
     if (!commands) continue;
     const CulledFaces culled(gl, behind || member == &CellDraws::seams_front);
-    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, commands->buffer.id());
-    gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands->count, 0);
+    draw_commands(gl, *commands, {GL_TRIANGLES, GL_UNSIGNED_INT}, throttle);
   }
   gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_VERTICES, 0);
 }
@@ -100,8 +126,9 @@ void add_seams(const Gl& gl, const PatchStore& store, const View& view, const Si
 void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, SeenFrom seen) {
   assert(programs.rims && "cells have border splats");
   const bool behind = seen == SeenFrom::Behind;
+  DrawThrottle throttle(gl);
   gl.CullFace(behind ? GL_FRONT : GL_BACK);
-  draw_strips(gl, programs, draws, behind);
+  draw_strips(gl, programs, draws, behind, throttle);
   // From the normals' side runs are clockwise, because their first vertex is there twice, and
   // strips and quads are not.
   gl.FrontFace(GL_CW);
@@ -114,8 +141,7 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
       const CulledFaces culled(gl, behind || page.front_alone);
       gl.UseProgram(program->id());
       bind_page(gl, *page.page);
-      gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, runs->buffer.id());
-      gl.MultiDrawArraysIndirect(primitive, nullptr, runs->count, 0);
+      draw_commands(gl, *runs, {primitive}, throttle);
     }
   };
   draw(&CellDraws::Page::runs, programs.runs ? &*programs.runs : &programs.main, GL_TRIANGLE_STRIP);
@@ -127,10 +153,9 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
     if (!page.rims) continue;
     const CulledFaces culled(gl, behind || page.front_alone);
     bind_page(gl, *page.page);
-    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, page.rims->buffer.id());
-    gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, page.rims->count, 0);
+    draw_commands(gl, *page.rims, {GL_TRIANGLES, GL_UNSIGNED_SHORT}, throttle);
   }
-  draw_seams(gl, programs, draws, behind);
+  draw_seams(gl, programs, draws, behind, throttle);
   gl.CullFace(GL_BACK);
 }
 

@@ -15,11 +15,30 @@
 
 namespace relief::onepass {
 
-/// What one multi-draw-indirect reads.
+/// What multi-draws-indirect read: one, or on the CPU as many as its memory asks for.
 struct Commands {
+  struct Slice {
+    GLsizei first = 0;
+    GLsizei count = 0;
+    std::uint64_t triangles = 0;  ///< at most
+  };
   Buffer buffer;
-  GLsizei count = 0;
+  std::vector<Slice> slices;
 };
+
+/// Slices of as many commands as reach `most` triangles, the last of fewer.
+template <class Command>
+[[nodiscard]] std::vector<Commands::Slice> slices_of(const std::vector<Command>& commands,
+                                                     std::uint64_t most) {
+  std::vector<Commands::Slice> slices;
+  for (std::size_t c = 0; c < commands.size(); ++c) {
+    if (slices.empty() || slices.back().triangles >= most)
+      slices.push_back({static_cast<GLsizei>(c)});
+    ++slices.back().count;
+    slices.back().triangles += std::uint64_t{commands[c].count} * commands[c].instances;
+  }
+  return slices;
+}
 
 /// The parts that a frame draws, page by page; good for any number of passes over them.
 struct CellDraws {

@@ -14,6 +14,7 @@
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_frame.h"
 #include "renderer/gl/open_gl.h"
+#include "renderer/gl/software.h"
 #include "renderer/volume/surfaces_beside.h"
 #include "renderer/volume/volume_model.h"
 #include "shaders/volume/layout.h"
