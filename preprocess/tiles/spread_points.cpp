@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 // constant part of the program and file buffers (docs/measurements.md, "Larger than memory").
 constexpr std::uint64_t kBytesPerPoint = 450;
 constexpr std::uint64_t kBaseBytes = std::uint64_t{96} << 20U;
-// Halos have about a tenth as many points as tiles of a million, and half as many as small ones.
+// Halos have a tenth as many points as tiles of a million, and half as many as small ones.
 constexpr double kHaloShare = 0.5;
 
 /// Report of the first run.

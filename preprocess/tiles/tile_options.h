@@ -15,9 +15,10 @@ inline constexpr std::uint64_t kMinTileMemory = std::uint64_t{256} << 20U;
 
 struct TileOptions {
   std::uint64_t memory_bytes = kMinTileMemory;  ///< memory limit
-  /// Upper limit on a tile's points at any memory limit, so that the result does not depend on
-  /// memory as long as it is enough for such tiles.
-  std::uint64_t max_tile_points = std::uint64_t{1} << 20U;
+  /// Upper limit on a tile's points, which every memory limit has room for, so that the result does
+  /// not depend on it. Small tiles are what a view can be fine in near the eye and coarse far away
+  /// (docs/decisions/0041).
+  std::uint64_t max_tile_points = std::uint64_t{1} << 17U;
   bool overviews = true;  ///< coarser patches, for distant views
   /// Largest number of samples of the coarsest overview: fewer than an image has pixels, read and
   /// drawn in a few milliseconds.
