@@ -25,6 +25,7 @@ class ViewerWindow:
 
     def __init__(self, display, relief, arguments, folder, size):
         self.display = display
+        self.patience = 60.0  # seconds that coming to rest may take
         folder = pathlib.Path(folder)
         settings = folder / "config" / "relief" / "viewer.json"
         settings.parent.mkdir(parents=True, exist_ok=True)
@@ -107,8 +108,9 @@ class ViewerWindow:
                 pass
         return False
 
-    def rest(self, seconds=60.0):
+    def rest(self, seconds=None):
         """Waits until the window has drawn something and draws and computes no more."""
+        seconds = seconds or self.patience
         end = time.monotonic() + seconds
         quiet_since, seen = time.monotonic(), 0
         while time.monotonic() < end:
