@@ -18,7 +18,7 @@ import subprocess
 import sys
 import time
 
-from virtual_display import VirtualDisplay, read_png
+from virtual_display import VirtualDisplay, difference, read_png
 from viewer_window import STATUS_HEIGHT, ViewerWindow
 
 WINDOW = (1280, 800)
@@ -36,7 +36,7 @@ def megabytes(pid, key):
 
 
 class Hand:
-    """Moves the camera at random; half of the time towards what is to be seen."""
+    """Moves the camera at random."""
 
     def __init__(self, window, rng):
         self.window, self.rng = window, rng
@@ -69,8 +69,8 @@ class Hand:
 
 
 def fly(arguments, work, display):
-    """Returns the stills' names and the picture's size; their cameras are in the settings."""
-    window = ViewerWindow(display, arguments.relief.resolve(), [arguments.file, *arguments.options], work, WINDOW)
+    """Returns the stills' names with their cameras, and the picture's size."""
+    window = ViewerWindow(display, arguments.relief, [arguments.file, *arguments.options], work, WINDOW)
     memory, stills, moves = [], [], 0
     try:
         window.patience = 600.0  # a large --gpu-memory is filled first
@@ -97,7 +97,8 @@ def fly(arguments, work, display):
         code = window.end_of()
         if code != 0:
             raise RuntimeError(f"relief view ended with {code}: {window.said()}")
-        return stills, (hand.width, hand.height)
+        # Each still has left a bookmark.
+        return list(zip(stills, cameras_of(work) if stills else [], strict=True)), (hand.width, hand.height)
     finally:
         window.close()
 
@@ -119,15 +120,13 @@ def compare(shown, truth):
     """Holes of the picture shown, pixels that differ by more than 1, and PSNR. A hole is the background amid what
     the truth covers: outlines of coarser surfaces lie elsewhere."""
     is_empty = lambda c: max(abs(a - b) for a, b in zip(c, BACKGROUND)) <= BACKGROUND_REACH
-    differing, squares, suspects = 0, 0, []
+    squares, suspects = 0, []
     for k in range(0, len(truth.pixels), 3):
         a, b = shown.pixels[k:k + 3], truth.pixels[k:k + 3]
         if a == b:
             continue
-        differs = max(abs(x - y) for x, y in zip(a, b))
-        differing += differs > 1
         squares += sum((x - y) ** 2 for x, y in zip(a, b))
-        if is_empty(a) and differs > COLOUR_REACH:
+        if is_empty(a) and max(abs(x - y) for x, y in zip(a, b)) > COLOUR_REACH:
             suspects.append((k // 3 % truth.width, k // 3 // truth.width))
 
     def is_amid(x, y):
@@ -136,12 +135,12 @@ def compare(shown, truth):
 
     holes = sum(is_amid(x, y) for x, y in suspects)
     psnr = math.inf if squares == 0 else 10 * math.log10(255 ** 2 * len(truth.pixels) / squares)
-    return holes, differing, psnr
+    return holes, difference(shown, truth)[1], psnr
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("relief", type=pathlib.Path, help="the built program")
+    parser.add_argument("relief", type=lambda text: pathlib.Path(text).resolve(), help="the built program")
     parser.add_argument("file", help="a patch file, better with tiles")
     parser.add_argument("--minutes", type=float, default=10.0, help="default 10")
     parser.add_argument("--stills", type=int, default=6, help="moves between stills (default 6)")
@@ -158,7 +157,7 @@ def main():
         stills, size = fly(arguments, work, display)
     finally:
         display.close()
-    for name, camera in zip(stills, cameras_of(work)):
+    for name, camera in stills:
         render(arguments, camera, size, f"{name}_render.png")
         truth = read_png(f"{name}_render.png").crop(0, 0, size[0], size[1] - STATUS_HEIGHT)
         holes, differing, psnr = compare(read_png(f"{name}_window.png"), truth)

@@ -26,7 +26,7 @@ import subprocess
 import sys
 import time
 
-from virtual_display import VirtualDisplay, read_png
+from virtual_display import VirtualDisplay, difference, read_png
 from viewer_window import ViewerWindow
 
 SKIPPED = 77
@@ -74,23 +74,6 @@ def write_cloud(path):
     header = f"NRRD0004\ntype: uchar\ndimension: 3\nspace dimension: 3\nsizes: {side} {side} {side}\nencoding: raw\n"
     header += f"space directions: ({step},0,0) (0,{step},0) (0,0,{step})\nspace origin: (-1.6,-1.6,-1.6)\n"
     path.write_bytes((header + "\n").encode() + bytes(values))
-
-
-def difference(a, b):
-    """The largest difference of two pictures of one size, and how many pixels differ by more than 1."""
-    if (a.width, a.height) != (b.width, b.height):
-        raise AssertionError(f"pictures of {a.width}x{a.height} and of {b.width}x{b.height}")
-    most, far = 0, 0
-    for y in range(a.height):
-        p, q = a.row(y), b.row(y)
-        if p == q:
-            continue
-        off = [abs(i - j) for i, j in zip(p, q)]
-        largest = max(off)
-        most = max(most, largest)
-        if largest > 1:
-            far += len({k // 3 for k, d in enumerate(off) if d > 1})
-    return most, far
 
 
 def shift_of(before, after, x, y, expected, reach=12, half=28):
@@ -478,7 +461,8 @@ def measure_once(relief, file, work):
     display = VirtualDisplay(work / "display")
     window = ViewerWindow(display, relief, [file], work, (1280, 800))
     try:
-        window.rest(600.0)
+        window.patience = 600.0  # large files
+        window.rest()
         frames = window.frames()
         first = next(f["seconds"] for f in frames if f["kind"] != "empty") - window.started
         rest = frames[-1]["seconds"] - window.started
@@ -489,7 +473,7 @@ def measure_once(relief, file, work):
             words += ["sleep", 0.015, "mousemove", round(x), round(y)]
         display.xdotool(*words, "mouseup", 1)
         moving = [f for f in window.frames()[log:] if f["kind"] == "moving"]
-        window.rest(600.0)
+        window.rest()
         cpu = window.cpu_seconds()
         time.sleep(4.0)
         idle = (window.cpu_seconds() - cpu) / 4.0

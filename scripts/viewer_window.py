@@ -108,10 +108,9 @@ class ViewerWindow:
                 pass
         return False
 
-    def rest(self, seconds=None):
+    def rest(self):
         """Waits until the window has drawn something and draws and computes no more."""
-        seconds = seconds or self.patience
-        end = time.monotonic() + seconds
+        end = time.monotonic() + self.patience
         quiet_since, seen = time.monotonic(), 0
         while time.monotonic() < end:
             if self.process.poll() is not None:
@@ -123,7 +122,7 @@ class ViewerWindow:
             elif seen > 0 and now - quiet_since > REST_SECONDS:
                 return
             time.sleep(0.02)
-        raise RuntimeError(f"the window does not come to rest in {seconds} s")
+        raise RuntimeError(f"the window does not come to rest in {self.patience} s")
 
     def wait_until(self, condition, what, seconds=60.0):
         end = time.monotonic() + seconds

@@ -51,6 +51,23 @@ class Picture:
                                        + chunk(b"IDAT", zlib.compress(rows, 1)) + chunk(b"IEND", b""))
 
 
+def difference(a, b):
+    """The largest difference of two pictures of one size, and how many pixels differ by more than 1."""
+    if (a.width, a.height) != (b.width, b.height):
+        raise AssertionError(f"pictures of {a.width}x{a.height} and of {b.width}x{b.height}")
+    most, far = 0, 0
+    for y in range(a.height):
+        p, q = a.row(y), b.row(y)
+        if p == q:
+            continue
+        off = [abs(i - j) for i, j in zip(p, q)]
+        largest = max(off)
+        most = max(most, largest)
+        if largest > 1:
+            far += len({k // 3 for k, d in enumerate(off) if d > 1})
+    return most, far
+
+
 def read_png(path):
     """A PNG of 8-bit RGB, not interlaced, as `relief render` writes it."""
     data = pathlib.Path(path).read_bytes()

@@ -62,7 +62,7 @@ PatchSamples make_samples(const Patch& patch, float to_hole) {
   samples.slope_step = slopes.slope_step;
   const std::vector<SplatReach> reaches =
       find_reaches(heights, slopes, samples.height_step, to_hole);
-  // Patches of scans in tiles have up to a million; a list that grows would take twice as much.
+  // Patches of large scans have up to a million; a list that grows would take twice as much.
   samples.records.reserve(count_samples(patch));
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {

@@ -13,14 +13,25 @@
 namespace relief::onepass {
 namespace {
 
-template <class Command>
-std::optional<Commands> upload(const Gl& gl, const std::vector<Command>& commands) {
-  if (commands.empty()) return std::nullopt;
-  const std::uint64_t most =
-      draws_on_cpu(gl) ? kTrianglesPerFence : std::numeric_limits<std::uint64_t>::max();
-  return Commands{make_buffer(gl, "draw commands", std::span<const Command>(commands)),
-                  slices_of(commands, most)};
-}
+/// Uploads the lists of a frame, which may have hundreds of pages: what is asked of OpenGL is asked
+/// once.
+class CommandUpload {
+ public:
+  explicit CommandUpload(const Gl& gl)
+      : gl_(gl),
+        most_(draws_on_cpu(gl) ? kTrianglesPerFence : std::numeric_limits<std::uint64_t>::max()) {}
+
+  template <class Command>
+  std::optional<Commands> operator()(const std::vector<Command>& commands) const {
+    if (commands.empty()) return std::nullopt;
+    return Commands{make_buffer(gl_, "draw commands", std::span<const Command>(commands)),
+                    slices_of(commands, most_)};
+  }
+
+ private:
+  const Gl& gl_;
+  std::uint64_t most_;  ///< triangles of a slice
+};
 
 /// How a multi-draw puts triangles together.
 struct Primitive {
@@ -34,7 +45,7 @@ void draw_commands(const Gl& gl, const Commands& commands, Primitive primitive,
   const bool has_indices = primitive.indices != GL_NONE;
   const std::size_t bytes = has_indices ? sizeof(ElementsCommand) : sizeof(ArraysCommand);
   for (const Commands::Slice& slice : commands.slices) {
-    // An offset in the buffer, which OpenGL takes as a pointer.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset in the buffer, which OpenGL takes so
     const void* const first = reinterpret_cast<const void*>(bytes * slice.first);
     if (has_indices)
       gl.MultiDrawElementsIndirect(primitive.mode, primitive.indices, first, slice.count, 0);
@@ -101,13 +112,14 @@ void draw_seams(const Gl& gl, const Programs& programs, const CellDraws& draws, 
 
 CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList& parts) {
   CellDraws draws;
+  const CommandUpload upload(gl);
   const auto page_of = [&store](std::uint32_t part) { return store.parts[part].buffers.page; };
   const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
     for (const auto& [page, share] : by_page(list, page_of)) {
       draws.pages.push_back(
-          {&store.pages[page], front_alone, upload(gl, strip_commands(store, share)),
-           upload(gl, run_commands(store, share)), upload(gl, edge_commands(store, share)),
-           upload(gl, border_commands(store, share)), upload(gl, rim_commands(store, share))});
+          {&store.pages[page], front_alone, upload(strip_commands(store, share)),
+           upload(run_commands(store, share)), upload(edge_commands(store, share)),
+           upload(border_commands(store, share)), upload(rim_commands(store, share))});
     }
   };
   add(parts.both, false);
@@ -118,9 +130,9 @@ CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList&
 void add_seams(const Gl& gl, const PatchStore& store, const View& view, const SidedList& seams,
                SeenFrom seen, CellDraws& draws) {
   draws.seams = &*store.seams;
-  draws.seams_both = upload(gl, seam_commands(store, view, seams.both, false));
-  draws.seams_front =
-      upload(gl, seam_commands(store, view, seams.front, seen == SeenFrom::Anywhere));
+  const CommandUpload upload(gl);
+  draws.seams_both = upload(seam_commands(store, view, seams.both, false));
+  draws.seams_front = upload(seam_commands(store, view, seams.front, seen == SeenFrom::Anywhere));
 }
 
 void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, SeenFrom seen) {
