@@ -60,20 +60,25 @@ TakenArrivals Arrivals::take(glm::ivec2 window, double now, Display& display, Se
     if (arrival.is_other) start_camera(session, arrival.points->extent);
     report(display.show(*arrival.points));
   }
-  if (arrival.is_other) forget();
-  taken.changes = arrival.points.has_value() || arrival.scene != nullptr || is_ready();
+  if (arrival.is_other || arrival.scene != nullptr) forget();
+  taken.changes = arrival.points.has_value() || arrival.scene != nullptr || is_collected();
+  const bool is_first = arrival.is_other && !arrival.points;
   if (arrival.scene != nullptr) {
-    const bool is_first = arrival.is_other && !arrival.points;
-    job_ = display.collect(arrival.scene, session);
-    if (job_ == nullptr)
+    if (!display.is_slow_to_show(*arrival.scene, session)) {
       report(show(std::move(arrival.scene), nullptr, is_first, display, session));
-    else if (is_first)
-      report(show_samples(*arrival.scene, display, session));
-  } else if (is_ready()) {
+    } else {
+      if (is_first) report(show_samples(*arrival.scene, display, session));
+      waiting_ = std::move(arrival.scene);
+    }
+  } else if (waiting_ != nullptr) {
+    const auto scene = std::exchange(waiting_, nullptr);
+    job_ = display.collect(scene, session);
+    if (job_ == nullptr) report(show(scene, nullptr, false, display, session));
+  } else if (is_collected()) {
     const std::unique_ptr<CollectJob> job = std::move(job_);
     report(show(job->scene(), job->collected(), false, display, session));
   }
-  session.is_preparing = job_ != nullptr;
+  session.is_preparing = job_ != nullptr || waiting_ != nullptr;
   return taken;
 }
 

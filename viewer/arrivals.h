@@ -23,13 +23,20 @@ class Arrivals {
   /// meanwhile. `window`: the size to remember with the files.
   TakenArrivals take(glm::ivec2 window, double now, Display& display, Session& session);
 
-  /// Whether take() has something to show although nothing arrives.
-  [[nodiscard]] bool is_ready() const { return job_ != nullptr && job_->is_done(); }
+  /// Whether take() has something to do although nothing arrives.
+  [[nodiscard]] bool is_ready() const { return waiting_ != nullptr || is_collected(); }
 
   /// Forgets what is collected, as files are closed.
-  void forget() { job_.reset(); }
+  void forget() {
+    waiting_.reset();
+    job_.reset();
+  }
 
  private:
+  [[nodiscard]] bool is_collected() const { return job_ != nullptr && job_->is_done(); }
+
+  /// Its samples are shown first: collecting would take the cores that draw them.
+  std::shared_ptr<const LoadedScene> waiting_;
   std::unique_ptr<CollectJob> job_;
 };
 

@@ -32,6 +32,8 @@ constexpr double kProgressSeconds = 0.1;
 constexpr int kFramesAfterEvent = 6;
 /// A pause is no motion.
 constexpr double kLongestStep = 0.1;
+/// A hand that drags pauses for less. After that what is finer than moving pictures is read.
+constexpr double kPauseSeconds = 0.15;
 
 std::string title_of(const Session& session) {
   const auto& files = session.document.files();
@@ -75,6 +77,7 @@ class Loop {
     if (measuring_.hover(changes || gui_.wants_mouse() || pointer_.held, now, display_, session_))
       frames_left_ = std::max(frames_left_, 1);
     if (session_.window.x == 0 || session_.window.y == 0) return;  // minimised
+    if (changes) moved_ = now;
     take_tiles(now);
     if (!events.empty() || changes) frames_left_ = kFramesAfterEvent;
     if (frames_left_ == 0 && display_.is_complete() && !is_progressing()) {
@@ -131,7 +134,7 @@ class Loop {
   /// Of a file that is read as the view needs it.
   void take_tiles(double now) {
     const bool was_waiting = session_.stream && session_.stream->waiting > 0;
-    const Result<bool> has_more = display_.stream(session_);
+    const Result<bool> has_more = display_.stream(session_, now - moved_ < kPauseSeconds);
     if (!has_more) add_message(session_, has_more.error().message, true, now);
     if (!has_more || *has_more || was_waiting) frames_left_ = std::max(frames_left_, 1);
   }
@@ -235,6 +238,7 @@ class Loop {
   FlyKeys fly_keys_;
   MeasuringInput measuring_{&Window::wake};
   double last_ = 0.0;
+  double moved_ = -kPauseSeconds;  ///< when the picture changed last
   int frames_left_ = kFramesAfterEvent;
   bool is_resting_ = false;
 };

@@ -1,48 +1,14 @@
 // From a picture in linear light to what a window shows, sRGB.
 #include "include/shared.h"
+#include "include/srgb.glsl"
 
 layout(binding = RELIEF_TEXTURE_PIXEL_SAMPLES) uniform sampler2D picture;
-layout(binding = RELIEF_TEXTURE_VISIBLE_DEPTH) uniform sampler2D picture_depth;
 
 layout(location = RELIEF_UNIFORM_EXPOSURE) uniform float exposure;
-// Strength of the shade where a surface lies behind its neighbours, 0: none.
-layout(location = RELIEF_UNIFORM_SHADE) uniform float shade;
-
-// Of an orthographic camera: from its depth values to what steps are measured in; 0: perspective.
-layout(location = RELIEF_UNIFORM_DEPTH_SCALE) uniform float depth_scale;
 
 layout(location = RELIEF_OUT_COLOUR) out vec4 out_colour;
 
-vec3 srgb_of(vec3 linear) {
-  vec3 light = clamp(linear, 0.0, 1.0);
-  return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055,
-             greaterThan(light, vec3(0.0031308)));
-}
-
-// Eye-dome lighting as renderer/eye_dome.cpp has it: the mean of how much nearer the neighbours are.
-float eye_dome(ivec2 at) {
-  float own = texelFetch(picture_depth, at, 0).r;
-  if (own == 0.0) return 1.0;
-  ivec2 size = textureSize(picture_depth, 0);
-  float radius = kEyeDomeRadius * float(size.y);
-  int straight = max(1, int(radius + 0.5));
-  int diagonal = max(1, int(0.7071 * radius + 0.5));
-  float nearer = 0.0;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      ivec2 beside = at + (dx * dy == 0 ? straight : diagonal) * ivec2(dx, dy);
-      if (any(lessThan(beside, ivec2(0))) || any(greaterThanEqual(beside, size))) continue;
-      float other = texelFetch(picture_depth, beside, 0).r;
-      // Depth is reversed: near over distance, or linear from 1 to 0.
-      if (other > own) nearer += depth_scale > 0.0 ? depth_scale * (other - own) : log2(other / own);
-    }
-  }
-  return exp(-kEyeDomeFactor * shade * nearer / 8.0);
-}
-
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  vec3 light = texelFetch(picture, at, 0).rgb;
-  if (shade > 0.0) light *= eye_dome(at);
+  vec3 light = texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
   out_colour = vec4(srgb_of(exposure * light), 1.0);
 }

@@ -21,6 +21,14 @@ struct Canvas {
   Framebuffer shown_framebuffer;  ///< of `shown`
 };
 
+/// Rows of a picture, from below.
+struct Rows {
+  std::uint32_t bottom = 0;
+  std::uint32_t top = 0;  ///< the first above
+
+  [[nodiscard]] bool empty() const { return bottom >= top; }
+};
+
 /// Sides of at least 1. Fails if OpenGL has no memory for it.
 Result<Canvas> make_canvas(const Gl& gl, std::uint32_t width, std::uint32_t height);
 

@@ -48,9 +48,12 @@ Result<std::unique_ptr<Display>> Display::create(const GlLoader& load) {
   return made;
 }
 
+bool Display::is_slow_to_show(const LoadedScene& scene, const Session& session) const {
+  return is_slow_to_collect(scene) && looks_of(session, scene);
+}
+
 std::unique_ptr<CollectJob> Display::collect(std::shared_ptr<const LoadedScene> scene,
                                              const Session& session) const {
-  if (!is_slow_to_collect(*scene)) return nullptr;
   const auto looks = looks_of(session, *scene);
   if (!looks) return nullptr;
   return std::make_unique<CollectJob>(std::move(scene), list_of(*looks),
@@ -111,7 +114,9 @@ Status Display::update(Session& session, bool changes) {
   pacer_.set_target(session.target_ms);
   if (is_complete() && !changes && !session.look_changed) return {};
   Status drawn = draw(session, changes);
-  if (picture_.shown() != nullptr) encode(session);
+  if (const Rows rows = picture_.take_new_rows(); !rows.empty()) {
+    RELIEF_TRY(encode(session, rows));
+  }
   return drawn;
 }
 
@@ -161,16 +166,11 @@ void Display::note_figures(Session& session) const {
                                         static_cast<double>(inspector_->figures().covered);
 }
 
-void Display::encode(const Session& session) {
+Status Display::encode(const Session& session, const Rows& rows) {
   const Canvas& canvas = *picture_.shown();
-  if (points_) {
-    presenter_->encode(canvas, {.shade = points_->is_lit() ? 0.0 : kShadeOfPoints});
-    return;
-  }
-  if (inspector_) {
-    presenter_->encode(canvas, {});
-    return;
-  }
+  if (points_)
+    return presenter_->encode(canvas, {.shade = points_->is_lit() ? 0.0 : kShadeOfPoints}, rows);
+  if (inspector_) return presenter_->encode(canvas, {}, rows);
   const bool has_depth = session.scene == nullptr || !session.scene->has_kernels();
   const auto how = [&](const SceneSettings& look) {
     return Presentation{.exposure = look.exposure.value_or(0.0),
@@ -181,9 +181,9 @@ void Display::encode(const Session& session) {
   if (session.compared) {
     Presentation right = how(*session.compared);
     left.to = right.from = session.divider.share;
-    presenter_->encode(canvas, right);
+    RELIEF_TRY(presenter_->encode(canvas, right, rows));
   }
-  presenter_->encode(canvas, left);
+  return presenter_->encode(canvas, left, rows);
 }
 
 bool Display::note_frame(double ms) {
@@ -192,17 +192,18 @@ bool Display::note_frame(double ms) {
   return was_steady;
 }
 
-Result<bool> Display::stream(Session& session) {
+Result<bool> Display::stream(Session& session, bool moves) {
   session.stream.reset();
   StreamedPatches* const stream = scene_ ? scene_->stream() : nullptr;
   if (stream == nullptr) return false;
   RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
-  is_stale_ |= stream->update(list_of(looks), kUploadMs);
+  const auto views = moves ? list_of(looks, pacer_.quality()) : list_of(looks);
+  is_stale_ |= stream->update(views, kUploadMs);
   session.stream = stream->state();
   if (is_stale_ && picture_.restart()) is_stale_ = false;
   const std::vector<std::string> failures = stream->take_failures();
   if (!failures.empty()) return Error{failures.front()};
-  return !picture_.is_complete();
+  return moves || !picture_.is_complete();
 }
 
 void Display::present(const Session& session) {

@@ -32,8 +32,11 @@ class Display {
               CollectedStore* collected = nullptr);
   Status show(const ScanPoints& points);
 
-  /// Begins to collect what show() will upload of a scene, for the session's looks. Null if that is
-  /// quick, or the looks can't be drawn, which show() will say.
+  /// Whether uploading a scene for the session's looks takes so long that collect() is to come
+  /// first. Not if they can't be drawn, which show() will say.
+  [[nodiscard]] bool is_slow_to_show(const LoadedScene& scene, const Session& session) const;
+
+  /// Begins to collect what show() will upload of a scene. Null if the looks can't be drawn.
   [[nodiscard]] std::unique_ptr<CollectJob> collect(std::shared_ptr<const LoadedScene> scene,
                                                     const Session& session) const;
 
@@ -44,9 +47,9 @@ class Display {
   /// part of the full picture. A look that cannot be drawn fails, and is put back in the session.
   Status update(Session& session, bool changes);
 
-  /// Takes what was read of a scene that is read as views need it. Returns whether there is more to
-  /// draw or to refine.
-  Result<bool> stream(Session& session);
+  /// Takes what was read of a scene that is read as views need it: while something `moves`, as fine
+  /// as moving pictures show it. Returns whether there is more to draw or to refine.
+  Result<bool> stream(Session& session, bool moves);
 
   /// Shows the newest picture in the window.
   void present(const Session& session);
@@ -78,7 +81,7 @@ class Display {
   explicit Display(GlLoader load, std::shared_ptr<const OpenGl> opengl)
       : load_(std::move(load)), opengl_(std::move(opengl)), picture_(opengl_->gl()) {}
   Status draw(Session& session, bool changes);
-  void encode(const Session& session);
+  Status encode(const Session& session, const Rows& rows);
   Status prepare(Session& session);
   Status choose_inspector(const Session& session);
   void note_figures(Session& session) const;

@@ -30,6 +30,12 @@ Status LivePicture::fit(std::optional<Canvas>& canvas, std::uint32_t width, std:
   return {};
 }
 
+/// All of it is new.
+void LivePicture::show(const Canvas& canvas) {
+  shows_full_ = full_ && &canvas == &*full_;
+  new_rows_ = {0, canvas.height};
+}
+
 Status LivePicture::draw(Viewport& model, const Looks& looks, const Quality& quality) {
   const std::vector<Pane> panes = panes_of(looks, quality);
   const bool is_full = quality.scale == 1.0;
@@ -38,7 +44,7 @@ Status LivePicture::draw(Viewport& model, const Looks& looks, const Quality& qua
   if (inspector_ != nullptr) inspector_->begin();
   for (const Pane& pane : panes) RELIEF_TRY(draw_pane(model, pane, *canvas));
   gl_->Finish();
-  shows_full_ = is_full;
+  show(*canvas);
   // At full size only levels of detail differ from one sample a pixel at rest.
   stage_ = Stage::OneSample;
   next_row_ = 0;
@@ -54,7 +60,7 @@ Status LivePicture::draw(const PointCloud& points, const Looks& looks, const Qua
   points.draw(settings.camera, settings.background.value_or(glm::vec3(0.0F)),
               quality.scale * quality.scale, *canvas);
   gl_->Finish();
-  shows_full_ = is_full;
+  show(*canvas);
   stage_ = is_full ? Stage::Complete : Stage::OneSample;
   return {};
 }
@@ -90,6 +96,12 @@ Status LivePicture::draw_band(Viewport& model, const Looks& looks, int samples, 
   const double ms = ms_since(start);
   rows_per_ms_ = rows / std::max(ms, 0.01);
   bands_ms_ = next_row_ == 0 ? ms : bands_ms_ + ms;
+  if (shows_full_) {
+    const Rows band{height - next_row_ - rows, height - next_row_};
+    new_rows_ = new_rows_.empty() ? band
+                                  : Rows{std::min(new_rows_.bottom, band.bottom),
+                                         std::max(new_rows_.top, band.top)};
+  }
   next_row_ += rows;
   is_last = next_row_ == height;
   return {};
@@ -109,7 +121,7 @@ Status LivePicture::refine(Viewport& model, const Looks& looks) {
   bool is_last = false;
   RELIEF_TRY(draw_band(model, looks, is_first ? 1 : most_samples(looks), is_last));
   if (!is_last) return {};
-  shows_full_ = true;
+  if (!shows_full_) show(*full_);
   next_row_ = 0;
   if (is_first) still_ms_ = bands_ms_;
   const bool has_more = is_first && most_samples(looks) > 1;

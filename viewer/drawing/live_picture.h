@@ -52,10 +52,14 @@ class LivePicture {
   /// The newest picture; null before the first.
   [[nodiscard]] const Canvas* shown() const;
 
+  /// Rows of shown() that are others than when this was asked last.
+  [[nodiscard]] Rows take_new_rows() { return std::exchange(new_rows_, {}); }
+
  private:
   enum class Stage : std::uint8_t { OneSample, AllSamples, Complete };
 
   Status fit(std::optional<Canvas>& canvas, std::uint32_t width, std::uint32_t height);
+  void show(const Canvas& canvas);
   Status draw_pane(Viewport& model, const Pane& pane, const Canvas& canvas);
   Status draw_band(Viewport& model, const Looks& looks, int samples, bool& is_last);
 
@@ -64,6 +68,7 @@ class LivePicture {
   std::optional<Canvas> coarse_;
   std::optional<Canvas> full_;
   bool shows_full_ = false;
+  Rows new_rows_;
   Stage stage_ = Stage::Complete;
   std::uint32_t next_row_ = 0;  ///< of the stage's next band
   double rows_per_ms_ = 4.0;    ///< of the last band

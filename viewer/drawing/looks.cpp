@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace relief {
 namespace {
@@ -56,6 +57,12 @@ std::vector<Pane> panes_of(const Looks& looks, const Quality& quality) {
     pane.settings.afar_factor = quality.afar_factor;
   }
   return panes;
+}
+
+std::vector<RenderSettings> list_of(const Looks& looks, const Quality& quality) {
+  std::vector<RenderSettings> list;
+  for (Pane& pane : panes_of(looks, quality)) list.push_back(std::move(pane.settings));
+  return list;
 }
 
 }  // namespace relief

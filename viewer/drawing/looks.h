@@ -36,4 +36,7 @@ struct Pane {
 /// Returns the panes of a coarser picture of the same, one sample a pixel.
 [[nodiscard]] std::vector<Pane> panes_of(const Looks& looks, const Quality& quality);
 
+/// Returns the settings of those panes.
+[[nodiscard]] std::vector<RenderSettings> list_of(const Looks& looks, const Quality& quality);
+
 }  // namespace relief

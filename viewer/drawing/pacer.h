@@ -49,7 +49,8 @@ class Pacer {
 
  private:
   double target_ms_;
-  std::size_t step_ = 2;
+  /// The coarsest: the first picture is to be there at once.
+  std::size_t step_ = kQualities.size() - 1;
   bool is_guess_ = true;  ///< of step_: nothing has moved yet
   int slow_frames_ = 0;   ///< one after the other
   int quick_frames_ = 0;  ///< one after the other

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <utility>
 
 #include "common/error.h"
@@ -22,25 +23,31 @@ struct Presentation {
 };
 
 /// Brings a canvas into the window in two steps: light becomes sRGB at the canvas's own size, and
-/// only when it has changed; then that is copied, enlarged if it is smaller. In one step each frame
-/// of 1280x800 took 20 ms on llvmpipe, whatever had changed.
+/// only where it has changed; then that is copied, enlarged if it is smaller. On llvmpipe all of
+/// 1280x800 pixels take 20 ms.
 class Presenter {
  public:
   static Result<Presenter> create(const Gl& gl);
 
-  /// Makes what is shown of a canvas.
-  void encode(const Canvas& canvas, const Presentation& how) const;
+  /// Makes what is shown of a canvas, in rows that have been drawn and, for eye-dome lighting, in
+  /// those that lie so near that they see them.
+  /// Fails if OpenGL can't compile a shader.
+  Status encode(const Canvas& canvas, const Presentation& how, const Rows& rows);
 
   /// Copies it into the window. `window`: the size of the picture in it, in pixels, from its lower
   /// left corner.
   void copy(const Canvas& canvas, glm::ivec2 window) const;
 
  private:
-  Presenter(const Gl& gl, Program program, VertexArray nothing)
-      : gl_(&gl), program_(std::move(program)), nothing_(std::move(nothing)) {}
+  Presenter(const Gl& gl, Program plain, Program copy, VertexArray nothing)
+      : gl_(&gl), plain_(std::move(plain)), copy_(std::move(copy)), nothing_(std::move(nothing)) {}
+  Result<const Program*> program_for(const Presentation& how);
 
   const Gl* gl_;
-  Program program_;
+  Program plain_;
+  /// With eye-dome lighting, once it is needed: llvmpipe compiles it for 0.1 s.
+  std::optional<Program> shaded_;
+  Program copy_;
   VertexArray nothing_;
 };
 

@@ -18,6 +18,7 @@
 #include "common/transform.h"
 #include "renderer/viewport.h"
 #include "tests/common/patch_file/sample_models.h"
+#include "tests/loader/stream/sphere_tree.h"
 #include "tests/renderer/gl/draw_viewport.h"
 #include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/scenes.h"
@@ -27,43 +28,15 @@ namespace {
 
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20U;
 
-/// A sphere of four tiles, over which is one of four times their spacing.
 class Streams : public testing::Test {
  protected:
   void SetUp() override {
-    write_tree();
+    test::write_sphere_tree(file());
     plan_.models.push_back({file(), {}, {}, {}});
     plan_.views.emplace_back();
   }
 
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "tree.relief"; }
-
-  void write_tree() {
-    test::SphereShape shape;
-    shape.bumps = 0.05;
-    shape.coloured = true;
-    shape.spacing = 0.08;
-    shape.patches_per_side = 2;
-    std::vector<TreePart> parts{write("coarse", test::sphere_model(shape), 0, 24)};
-    parts.front().level = 1;
-    shape.spacing = 0.02;
-    shape.patches_per_side = 4;
-    const PatchModel fine = test::sphere_model(shape);
-    const std::vector<const char*> names{"a", "b", "c", "d"};
-    for (std::size_t t = 0; t < 4; ++t) {
-      parts.push_back(write(names[t], fine, 24 * t, 24));
-      parts.back().parent = 0;
-    }
-    ASSERT_TRUE(write_patch_tree(file(), parts, fine));
-  }
-
-  TreePart write(const char* name, const PatchModel& model, std::size_t first, std::size_t count) {
-    PatchModel part = without_patches(model);
-    const auto begin = model.patches.begin() + static_cast<std::ptrdiff_t>(first);
-    part.patches.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
-    EXPECT_TRUE(write_patch_file(folder_ / name, part));
-    return {folder_ / name};
-  }
 
   [[nodiscard]] GlLoader loader() const { return context_.loader(); }
   [[nodiscard]] const Gl& gl() const { return context_.gl(); }

@@ -3,11 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <memory>
+#include <thread>
 #include <vector>
 
 #include "loader/first_look.h"
+#include "loader/stream/tile_source.h"
 #include "renderer/render.h"
+#include "tests/loader/stream/sphere_tree.h"
 #include "tests/renderer/scenes.h"
 #include "tests/viewer/drawing/own_display.h"
 #include "viewer/document/scan_points.h"
@@ -50,6 +56,35 @@ TEST_F(Showing, IsCoarseInMotionAndAtRestWhatRenderDraws) {
     for (std::size_t p = 0; p < a.size(); ++p) others += std::abs(a[p] - b[p]) > 0x1p-9F ? 1 : 0;
   }
   EXPECT_LE(others, 6U);
+}
+
+TEST_F(Showing, MovingPicturesReadTilesAsFineAsTheyShowThem) {
+  const std::filesystem::path file = folder_ / "tree.relief";
+  test::write_sphere_tree(file);
+  ScenePlan plan;
+  plan.models.push_back({file, {}, {}, {}});
+  auto source = TileSource::open(plan);
+  ASSERT_TRUE(source) << source.error().message;
+  auto scene = std::make_shared<LoadedScene>((*source)->scene());
+  scene->tiles = *source;
+  session_.window = {48, 32};
+  session_.navigator.set_image({48, 32});
+  show(scene);
+  // Where it is nearest, the sphere's coarse samples are 2 pixels of the window apart: at rest
+  // there are samples each half a pixel, in the coarsest moving pictures each 3.3.
+  const auto settle = [&](bool moves) {
+    for (int k = 0; k < 1000; ++k) {
+      EXPECT_TRUE(display_->stream(session_, moves));
+      if (session_.stream->waiting == 0 && !display_->has_tiles_to_take()) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    FAIL() << "it does not settle";
+  };
+  while (display_->pacer().quality().scale > kQualities.back().scale) display_->pacer().note(1e3);
+  for (const bool moves : {true, false, true}) {
+    settle(moves);
+    EXPECT_EQ(session_.stream->shown_tiles, moves ? 1U : 4U);
+  }
 }
 
 TEST_F(Showing, TwoLooksMeetAtTheDivider) {

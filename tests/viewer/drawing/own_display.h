@@ -36,6 +36,9 @@ class OwnDisplay : public testing::Test {
   void show(PatchModel model) {
     auto scene = std::make_shared<LoadedScene>();
     scene->patches = std::move(model);
+    show(scene);
+  }
+  void show(const std::shared_ptr<const LoadedScene>& scene) {
     session_.navigator.set_model(without_patches(scene->patches), false);
     const Status shown = display_->show(scene, session_);
     ASSERT_TRUE(shown) << shown.error().message;

@@ -1,0 +1,46 @@
+// A small file with tiles.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "common/patch_file/patch_tree.h"
+#include "tests/common/patch_file/sample_models.h"
+
+namespace relief::test {
+
+inline TreePart write_part(const std::filesystem::path& path, const PatchModel& model,
+                           std::size_t first, std::size_t count) {
+  PatchModel part = without_patches(model);
+  const auto begin = model.patches.begin() + static_cast<std::ptrdiff_t>(first);
+  part.patches.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
+  EXPECT_TRUE(write_patch_file(path, part));
+  return {path};
+}
+
+/// Writes a bumpy sphere of radius 1 in four tiles, over which is one of four times their spacing,
+/// which is 0.02. The parts stay in the folder of `file`.
+inline void write_sphere_tree(const std::filesystem::path& file) {
+  SphereShape shape;
+  shape.bumps = 0.05;
+  shape.coloured = true;
+  shape.spacing = 0.08;
+  shape.patches_per_side = 2;
+  const std::filesystem::path folder = file.parent_path();
+  std::vector<TreePart> parts{write_part(folder / "coarse", sphere_model(shape), 0, 24)};
+  parts.front().level = 1;
+  shape.spacing = 0.02;
+  shape.patches_per_side = 4;
+  const PatchModel fine = sphere_model(shape);
+  const std::vector<const char*> names{"a", "b", "c", "d"};
+  for (std::size_t t = 0; t < 4; ++t) {
+    parts.push_back(write_part(folder / names[t], fine, 24 * t, 24));
+    parts.back().parent = 0;
+  }
+  ASSERT_TRUE(write_patch_tree(file, parts, fine));
+}
+
+}  // namespace relief::test
