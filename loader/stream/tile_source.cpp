@@ -1,6 +1,7 @@
 #include "loader/stream/tile_source.h"
 
 #include <algorithm>
+#include <cassert>
 #include <system_error>
 
 #include "common/patch_file/fast/zstd_contexts.h"
@@ -134,27 +135,24 @@ Result<TileIndex> TileSource::read_index(std::uint32_t tile) {
   return index_tile(file->patches(), !file->joined().empty());
 }
 
-Result<PatchChunk> TileSource::read_chunk(ChunkKey key, const ChunkInfo& chunk,
-                                          const StoreNeeds& needs, const StoreLimits& limits,
-                                          std::uint32_t finest, const std::stop_token& stop) {
+Result<ChunkPatches> TileSource::read_patches(ChunkKey key, const ChunkInfo& chunk,
+                                              const std::stop_token& stop) {
   RELIEF_TRY_ASSIGN(const auto file, file_of(key.tile));
   const std::vector<std::uint64_t> numbers(chunk.patches.begin(), chunk.patches.end());
   RELIEF_TRY(fits_memory(file->name(), kPreparing * file->decoded_bytes(numbers)));
-  PatchModel model;
+  ChunkPatches read;
+  PatchModel& model = read.model;
   model.spacing = file->info().spacing;
   model.bounds = chunk.box;
   model.is_closed = scene_.patches.is_closed;
   model.has_colours = scene_.patches.has_colours;
   ZstdContexts zstd;
-  std::vector<std::uint32_t> ids;
-  std::vector<Bounds> boxes;
   for (const std::uint32_t p : chunk.patches) {
     if (stop.stop_requested()) return interrupted_error();
     RELIEF_TRY_ASSIGN(Patch patch, file->read_patch(p, zstd));
     patch.material = material_;
     model.patches.push_back(std::move(patch));
-    ids.push_back(first_ids_[key.tile] + p);
-    boxes.push_back(relief::box_of(file->patches()[p]));
+    read.ids.push_back(first_ids_[key.tile] + p);
   }
   if (!file->joined().empty()) {
     model.joined.push_back(
@@ -163,8 +161,30 @@ Result<PatchChunk> TileSource::read_chunk(ChunkKey key, const ChunkInfo& chunk,
   }
   if (const Status placed = transform_model(model, where_); !placed)
     return make_error("{}: {}", file->name(), placed.error().message);
-  RELIEF_TRY_ASSIGN(PatchChunk made, prepare_chunk(model, ids, needs, limits, finest));
-  made.boxes = std::move(boxes);
+  return read;
+}
+
+Result<ChunkPatches> TileSource::read_patches_with(std::uint32_t id) {
+  const auto after = std::ranges::upper_bound(first_ids_, id);
+  assert(after != first_ids_.begin() && "the first tile begins with 0");
+  const auto tile = static_cast<std::uint32_t>(after - first_ids_.begin() - 1);
+  RELIEF_TRY_ASSIGN(const TileIndex index, read_index(tile));
+  for (std::uint32_t c = 0; c < index.chunks.size(); ++c) {
+    const ChunkInfo& chunk = index.chunks[c];
+    if (std::ranges::find(chunk.patches, id - first_ids_[tile]) != chunk.patches.end())
+      return read_patches({tile, c}, chunk);
+  }
+  return make_error("{}: tile {} has no patch {}", path_.string(), tile, id - first_ids_[tile]);
+}
+
+Result<PatchChunk> TileSource::read_chunk(ChunkKey key, const ChunkInfo& chunk,
+                                          const StoreNeeds& needs, const StoreLimits& limits,
+                                          std::uint32_t finest, const std::stop_token& stop) {
+  RELIEF_TRY_ASSIGN(const ChunkPatches read, read_patches(key, chunk, stop));
+  RELIEF_TRY_ASSIGN(const auto file, file_of(key.tile));
+  RELIEF_TRY_ASSIGN(PatchChunk made, prepare_chunk(read.model, read.ids, needs, limits, finest));
+  for (const std::uint32_t p : chunk.patches)
+    made.boxes.push_back(relief::box_of(file->patches()[p]));
   return made;
 }
 

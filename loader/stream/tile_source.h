@@ -30,6 +30,12 @@ struct PatchKind {
   std::uint32_t colour_texels = 1;
 };
 
+/// The patches of a chunk.
+struct ChunkPatches {
+  PatchModel model;                ///< in its place, with the normals of patches that meet joined
+  std::vector<std::uint32_t> ids;  ///< by patch: its number in the file
+};
+
 /// An open file. Thread-safe but for its construction.
 class TileSource {
  public:
@@ -49,6 +55,13 @@ class TileSource {
 
   /// Reads the index of a tile. Errors are sentences that begin with the file's name.
   Result<TileIndex> read_index(std::uint32_t tile);
+
+  /// Reads the patches of a chunk of a tile. Ends early, with an error, once `stop` asks for it.
+  Result<ChunkPatches> read_patches(ChunkKey key, const ChunkInfo& chunk,
+                                    const std::stop_token& stop = {});
+
+  /// Reads the chunk that has the patch of a number in the file.
+  Result<ChunkPatches> read_patches_with(std::uint32_t id);
 
   /// Reads a chunk of a tile and prepares its levels from `finest` on for the GPU. The chunk's
   /// boxes are in the file's frame. Ends early, with an error, once `stop` asks for it.

@@ -69,10 +69,11 @@ Status Presenter::encode(const Canvas& canvas, const Presentation& how, const Ro
   return {};
 }
 
-void Presenter::copy(const Canvas& canvas, glm::ivec2 window) const {
+void Presenter::copy(const Canvas& canvas, glm::ivec2 window, GLuint framebuffer) const {
   const Gl& gl = *gl_;
   PassTimer timer(gl);
   const ScopedPass pass(gl, timer, "copy");
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   const bool is_whole = glm::ivec2(canvas.width, canvas.height) == window;
   gl.TextureParameteri(canvas.shown.id(), GL_TEXTURE_MAG_FILTER, is_whole ? GL_NEAREST : GL_LINEAR);
   gl.Viewport(0, 0, window.x, window.y);
@@ -85,6 +86,7 @@ void Presenter::copy(const Canvas& canvas, glm::ivec2 window) const {
   gl.BindVertexArray(0);
   gl.BindTextureUnit(RELIEF_TEXTURE_PIXEL_SAMPLES, 0);
   gl.UseProgram(0);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 }  // namespace relief

@@ -34,9 +34,9 @@ class Presenter {
   /// Fails if OpenGL can't compile a shader.
   Status encode(const Canvas& canvas, const Presentation& how, const Rows& rows);
 
-  /// Copies it into the window. `window`: the size of the picture in it, in pixels, from its lower
-  /// left corner.
-  void copy(const Canvas& canvas, glm::ivec2 window) const;
+  /// Copies it into the window, framebuffer 0, or another one. `window`: the size of the picture
+  /// in it, in pixels, from its lower left corner.
+  void copy(const Canvas& canvas, glm::ivec2 window, GLuint framebuffer = 0) const;
 
  private:
   Presenter(const Gl& gl, Program plain, Program copy, VertexArray nothing)

@@ -36,9 +36,9 @@ std::optional<PickQuery> query_of(const Image& pixel, glm::dvec2 cursor, const S
   return PickQuery{surface->start, surface->direction, surface->depth, surface->pixel, *patch, {}};
 }
 
-/// What is shown; null if nothing is.
+/// The patches that are shown, if they are in memory; otherwise null.
 std::shared_ptr<const PatchModel> model_of(const Session& session) {
-  if (session.scene == nullptr) return nullptr;
+  if (session.scene == nullptr || session.scene->tiles != nullptr) return nullptr;
   return {session.scene, &session.scene->patches};
 }
 
@@ -101,9 +101,8 @@ void MeasuringInput::click(glm::dvec2 cursor, bool is_double, double now, Displa
   if (!picked) return;
   if (!picked->is_exact)
     add_message(session,
-                session.stream ? "This point has single precision, as in all files with tiles"
-                               : "This point has single precision: the surface is still being "
-                                 "prepared",
+                "This point has single precision: " +
+                    (tile_failure_.empty() ? "the surface is still being prepared" : tile_failure_),
                 false, now);
   tool.add(picked->point);
 }
@@ -136,6 +135,20 @@ double MeasuringInput::wait(double most) const {
   return is_searched_ ? most : std::min(most, kRestingSeconds);
 }
 
+std::optional<SurfacePoint> MeasuringInput::pick_exactly(const PickQuery& query,
+                                                         const Session& session) {
+  tile_failure_.clear();
+  if (session.scene->tiles == nullptr) {
+    tile_picker_.forget();
+    const auto picker = picker_.ready();
+    return picker ? picker->pick(query) : std::nullopt;
+  }
+  auto point = tile_picker_.pick(session.scene->tiles, query);
+  if (point) return *point;
+  tile_failure_ = point.error().message;
+  return std::nullopt;
+}
+
 std::optional<PickedPoint> MeasuringInput::pick(glm::dvec2 cursor, Display& display,
                                                 const Session& session) {
   const auto pixel = display.probe(session, cursor);
@@ -143,17 +156,14 @@ std::optional<PickedPoint> MeasuringInput::pick(glm::dvec2 cursor, Display& disp
   auto query = query_of(*pixel, cursor, session);
   if (!query) return std::nullopt;
   picker_.set_model(model_of(session));
-  PickedPoint picked;
-  if (const auto picker = picker_.ready()) {
-    auto point = picker->pick(*query);
-    if (!point) {
-      const auto others = patches_about(cursor, display, session);
-      query->others = others;
-      point = picker->pick(*query);
-      query->others = {};
-    }
-    if (point) return PickedPoint{*point, true};
+  auto point = pick_exactly(*query, session);
+  if (!point) {
+    const auto others = patches_about(cursor, display, session);
+    query->others = others;
+    point = pick_exactly(*query, session);
   }
+  if (point) return PickedPoint{*point, true};
+  PickedPoint picked;
   picked.is_exact = false;
   picked.point.position = query->start + query->depth * query->direction;
   picked.point.normal = glm::dvec3(0.0);

@@ -4,8 +4,10 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <string>
 
 #include "viewer/measuring/background_picker.h"
+#include "viewer/measuring/tile_picker.h"
 #include "viewer/session.h"
 #include "viewer/window/events.h"
 
@@ -40,10 +42,14 @@ class MeasuringInput {
  private:
   [[nodiscard]] std::optional<PickedPoint> pick(glm::dvec2 cursor, Display& display,
                                                 const Session& session);
+  [[nodiscard]] std::optional<SurfacePoint> pick_exactly(const PickQuery& query,
+                                                         const Session& session);
 
   /// Of what is shown, made when a tool is chosen or the cursor first rests on the surface: for the
   /// Dragon it takes 0.6 s of a processor and 42 MB.
   BackgroundPicker picker_;
+  TilePicker tile_picker_;
+  std::string tile_failure_;  ///< why the last pick in tiles is not exact
   glm::dvec2 cursor_{-1.0};
   bool has_moved_ = false;   ///< since the last hover()
   bool is_searched_ = true;  ///< what is under the cursor is known

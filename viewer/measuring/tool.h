@@ -12,8 +12,8 @@ namespace relief {
 /// A point of the surface under the cursor.
 struct PickedPoint {
   SurfacePoint point;
-  bool is_exact = true;  ///< of a SurfacePicker; else of a depth in single precision, with a normal
-                         ///< of 0 and no colour
+  bool is_exact = true;  ///< of a SurfacePicker or TilePicker; else of a depth in single precision,
+                         ///< with a normal of 0 and no colour
 };
 
 /// The measuring tools: which one is chosen, the points of the measurement that is open, and the

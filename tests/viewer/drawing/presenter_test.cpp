@@ -61,5 +61,24 @@ TEST_F(Presents, RowsThatAreDrawnAnewAndThoseThatSeeThem) {
   }
 }
 
+TEST_F(Presents, WholePicturesToTheByteAndSmallerOnesUpToTheirEdges) {
+  const Gl& gl = context_.gl();
+  fill({0, kHeight / 2}, 0.0F, 0.01F);
+  fill({kHeight / 2, kHeight}, 1.0F, 0.01F);
+  ASSERT_TRUE(presenter_.encode(canvas_, {}, {0, kHeight}));
+  for (const std::uint32_t factor : {1U, 3U}) {
+    const Canvas window = *make_canvas(gl, factor * kWidth, factor * kHeight);
+    presenter_.copy(canvas_, {window.width, window.height}, window.shown_framebuffer.id());
+    std::vector<std::uint8_t> pixels(std::size_t{4} * window.width * window.height);
+    gl.GetTextureImage(window.shown.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                       static_cast<GLsizei>(pixels.size()), pixels.data());
+    if (factor == 1) {
+      EXPECT_EQ(pixels, shown());
+    }
+    EXPECT_EQ(pixels.front(), 0U) << "the lowest row, not mixed with the highest";
+    EXPECT_EQ(pixels[pixels.size() - 4], 255U);
+  }
+}
+
 }  // namespace
 }  // namespace relief
