@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "preprocess/normals/sampled_sides.h"
+
 namespace relief {
 namespace {
 
@@ -12,12 +14,16 @@ constexpr float kUpWeight = 0.15F;
 // No more than an eighth of the largest error that a wrong side can be: a surface that bends under
 // an overhang keeps its sides even if the guess that the scan is airborne is wrong.
 constexpr float kAirborneWeight = 0.5F;
+// A part of a scan sees too little for its winding numbers: the whole scan counts as much as the
+// largest error that a wrong side can be.
+constexpr float kWholeWeight = 1.0F;
 // So that the side of a flat sheet is not left to rounding.
 constexpr float kLeastWeight = 1e-3F;
 
 }  // namespace
 
 glm::vec3 KnownSides::direction_at(const Points& points, std::size_t point) const {
+  if (whole != nullptr) return whole->normal_near(points.positions[point]);
   if (!viewpoint && !is_of_scanners) return up;
   const glm::dvec3 from = is_of_scanners ? points.scanners[points.scanner_of[point]] : *viewpoint;
   const glm::dvec3 to = from - points.positions[point];
@@ -33,16 +39,20 @@ KnownSides known_sides(const Points& points, const SideChoice& choice) {
     case NormalSide::Toward:
       return {.viewpoint = choice.toward, .weight = 1.0F, .is_sure = true};
     case NormalSide::Outward:
+      if (choice.whole != nullptr) break;
       return {.up = up, .weight = kLeastWeight};
     case NormalSide::Auto:
       break;
   }
-  if (points.viewpoint || !points.scanner_of.empty()) {
+  const bool is_outward = choice.side == NormalSide::Outward;
+  if (!is_outward && (points.viewpoint || !points.scanner_of.empty())) {
     return {.viewpoint = points.viewpoint,
             .is_of_scanners = !points.scanner_of.empty(),
             .weight = 1.0F,
             .is_sure = true};
   }
+  if (choice.whole != nullptr)
+    return {.up = up, .whole = choice.whole, .weight = kWholeWeight, .leads_slivers = true};
   return {.up = up,
           .weight = points.is_airborne ? kAirborneWeight : kUpWeight,
           .leads_slivers = points.is_airborne};

@@ -9,6 +9,8 @@
 
 namespace relief {
 
+class SampledSides;
+
 /// The side that normals of bare points face, as asked for.
 enum class NormalSide {
   Auto,     ///< towards the scanner if the file tells where it was; otherwise found out
@@ -21,6 +23,8 @@ struct SideChoice {
   NormalSide side = NormalSide::Auto;
   glm::dvec3 toward{0.0};        ///< for Toward, in the frame of the points
   glm::dvec3 up{0.0, 0.0, 1.0};  ///< +Z of the world, in the frame of the points; unit
+  /// Of the scan of which the points are a part, for Auto and Outward; null: they are all of it.
+  const SampledSides* whole = nullptr;
 };
 
 /// The direction that normals of a scan shall have.
@@ -28,6 +32,7 @@ struct KnownSides {
   std::optional<glm::dvec3> viewpoint{};  ///< towards this position; nothing: up
   glm::vec3 up{0.0F, 0.0F, 1.0F};         ///< as SideChoice has it
   bool is_of_scanners = false;            ///< towards each point's own scanner instead
+  const SampledSides* whole = nullptr;    ///< the whole scan's normals instead, if not null
   /// What a direction counts beside the winding numbers, which are a half about a closed surface.
   float weight = 0.0F;
   bool leads_slivers = false;  ///< it decides for pieces too small for winding numbers

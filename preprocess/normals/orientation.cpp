@@ -1,4 +1,6 @@
 // Sides of normals that agree with the winding numbers that the surface itself has ([Lin 2024]).
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -130,11 +132,13 @@ std::vector<float> areas_of(const NeighbourGraph& graph, const SmoothPieces& pie
 std::vector<float> areas_towards(const Points& points, const NeighbourGraph& graph,
                                  const std::vector<glm::vec3>& normals, const SmoothPieces& pieces,
                                  const KnownSides& known) {
-  std::vector<float> towards(pieces.count, 0.0F);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    towards[pieces.of_point[i]] +=
+  std::vector<float> of_point(points.size());
+  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+    of_point[i] =
         graph.spacing[i] * graph.spacing[i] * glm::dot(normals[i], known.direction_at(points, i));
-  }
+  });
+  std::vector<float> towards(pieces.count, 0.0F);
+  for (std::size_t i = 0; i < points.size(); ++i) towards[pieces.of_point[i]] += of_point[i];
   return towards;
 }
 

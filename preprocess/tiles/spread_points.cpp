@@ -8,6 +8,7 @@
 
 #include "common/io/standard_input.h"
 #include "common/neighbours/neighbours.h"
+#include "preprocess/normals/sampled_sides.h"
 #include "preprocess/tiles/checkpoint.h"
 #include "preprocess/working_unit.h"
 
@@ -26,6 +27,7 @@ constexpr double kHaloShare = 0.5;
 /// Report of the first run.
 struct Look {
   PointSample sample;
+  ChanceSample by_chance;
   Bounds bounds;
   ScanAttributes attributes{true, true};
   bool some_normals = false;
@@ -38,6 +40,7 @@ struct Look {
     if (block.size() == 0) return;
     for (const glm::dvec3& p : block.positions) {
       sample.add(p);
+      by_chance.add(p);
       extend(bounds, p);
     }
     attributes.normals = attributes.normals && !block.normals.empty();
@@ -64,7 +67,7 @@ std::uint64_t points_for(std::uint64_t memory) {
 template <class Scan>
 auto scan_fields(Scan& s) {
   return std::tie(s.unit, s.frame, s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts,
-                  s.attributes, s.bounds, s.viewpoint, s.stance, s.is_airborne, s.read);
+                  s.attributes, s.bounds, s.viewpoint, s.stance, s.is_airborne, s.sample, s.read);
 }
 
 /// The first reading.
@@ -87,6 +90,7 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   // Points seen from several positions have no single viewpoint.
   if (files.size() == 1) scan.viewpoint = seen.viewpoint;
   scan.is_airborne = seen.is_airborne;
+  scan.sample = seen.by_chance.take();
   const auto note_mixed = [&](bool some, bool all, std::string_view name) {
     if (some && !all)
       scan.notes.push_back(fmt::format("only some of the scans have {}; they are left out", name));
@@ -121,13 +125,14 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
   return {};
 }
 
-/// Chooses the tiles' unit and frame by a sample of the points, which it moves there.
+/// Chooses the tiles' unit and frame by a sample of the points. Moves all samples there.
 void choose_frame(PointSample& sample, SpreadScan& scan) {
   scan.unit = working_unit(sample.points());
   sample.transform([&](const glm::dvec3& p) { return p / scan.unit; });
   scan.frame = working_frame(sample.points());
   const auto move = [&](const glm::dvec3& p) { return to_working_frame(scan.frame, p); };
   sample.transform(move);
+  for (glm::dvec3& p : scan.sample) p = move(p / scan.unit);
   if (scan.viewpoint) scan.viewpoint = move(*scan.viewpoint / scan.unit);
 }
 

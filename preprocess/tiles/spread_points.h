@@ -25,8 +25,9 @@ struct SpreadScan {
   Bounds bounds;  ///< world frame
   /// Position of the scanner, if the scan's only file gives it; as the points.
   std::optional<glm::dvec3> viewpoint;
-  Stance stance;             ///< of the last file
-  bool is_airborne = false;  ///< all files
+  Stance stance;                   ///< of the last file
+  bool is_airborne = false;        ///< all files
+  std::vector<glm::dvec3> sample;  ///< some points of all tiles, as these (ChanceSample)
   ScanCounts read;
   std::vector<std::string> notes;
 };

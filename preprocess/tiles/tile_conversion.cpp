@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "preprocess/convert_stages.h"
+#include "preprocess/normals/orient_sample.h"
 #include "preprocess/tiles/checkpoint.h"
 #include "preprocess/tiles/join_sheets.h"
 #include "preprocess/tiles/resample_tile.h"
@@ -62,8 +64,21 @@ class TileConversion {
     return loaded;
   }
 
+  /// Whether tiles can't know which side their surface faces.
+  [[nodiscard]] bool needs_whole() const {
+    Points known;
+    known.viewpoint = scan_.viewpoint;
+    return !scan_.attributes.normals && !scan_.is_airborne &&
+           scan_.sample.size() >= kMinSurfacePoints && !known_sides(known, options_.side).is_sure;
+  }
+
   Status survey() {
     progress_.begin_stage("survey", scan_.read.points);
+    if (needs_whole() && !fs::exists(folder_.turns())) {
+      whole_ = orient_sample(scan_.sample, options_.side, progress_);
+      if (progress_.cancelled()) return interrupted_error();
+      options_.side.whole = &*whole_;
+    }
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
       if (!fs::exists(folder_.survey(tile)) && !fs::exists(folder_.turns())) {
         RELIEF_TRY(survey_one(tile));
@@ -107,8 +122,8 @@ class TileConversion {
       paths.push_back({folder_.survey(tile), folder_.rim(tile)});
     Points known;
     known.viewpoint = scan_.viewpoint;
-    RELIEF_TRY_ASSIGN(auto turns,
-                      join_sheets(paths, known_sides(known, options_.side).is_sure, progress_));
+    const bool are_sure = needs_whole() || known_sides(known, options_.side).is_sure;
+    RELIEF_TRY_ASSIGN(auto turns, join_sheets(paths, are_sure, progress_));
     turns_ = std::move(turns);
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
       RELIEF_TRY_ASSIGN(const auto survey, load_survey(folder_.survey(tile)));
@@ -229,6 +244,7 @@ class TileConversion {
   Progress& progress_;
   glm::dvec3 centre_;
 
+  std::optional<SampledSides> whole_;
   SheetTurns turns_;
   double area_ = 0.0;    // of all regions; 0 if the spacing is given
   double radius_ = 0.0;  // of all points about the centre

@@ -9,6 +9,7 @@
 
 #include "common/patch_file/patch_tree.h"
 #include "tests/common/patch_file/sample_models.h"
+#include "tests/renderer/scenes.h"
 
 namespace relief::test {
 

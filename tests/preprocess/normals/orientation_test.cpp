@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "preprocess/normals/normals.h"
+#include "preprocess/normals/orient_sample.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {
@@ -100,6 +101,35 @@ TEST(Orientation, OfBoxesOnAGround) {
   add_box(truth, {1, -1, 0.6}, {0.4, 0.5, 0.6}, false);
   add_box(truth, {0, 1.2, 0.2}, {0.8, 0.4, 0.2}, false);
   EXPECT_LT(flipped(truth, normals_of(truth)), kFewAtEdges);
+}
+
+TEST(Orientation, OfAPartIsThatOfTheWhole) {
+  Truth whole;
+  add_box(whole, {0, 0, 0.5}, {1.0, 1.0, 0.5}, true);
+  ChanceSample sample;
+  Truth part;  // of the floor, which faces down
+  for (std::size_t i = 0; i < whole.sides.size(); ++i) {
+    const glm::dvec3 p = whole.points.positions[i];
+    if (i % 3 == 0) sample.add(p);
+    if (p.z < 0.02 && std::abs(p.x) < 0.7 && std::abs(p.y) < 0.7) part.add(p, whole.sides[i]);
+  }
+  EXPECT_EQ(flipped(part, normals_of(part)), 1.0) << "alone it looks like a terrain";
+  const SampledSides sides = orient_sample(sample.take(), {}, Progress());
+  EXPECT_EQ(flipped(part, normals_of(part, {.whole = &sides})), 0.0);
+}
+
+TEST(ChanceSample, IsSpreadOverAllPointsAndBounded) {
+  ChanceSample sample;
+  constexpr int kCount = 1'000'000;
+  for (int i = 0; i < kCount; ++i) sample.add({i, 0, 0});
+  const std::vector<glm::dvec3> points = sample.take();
+  EXPECT_LT(points.size(), ChanceSample::kMost);
+  EXPECT_GT(points.size(), ChanceSample::kMost / 3);
+  // Each hundredth has its share, to within five standard deviations.
+  std::vector<double> shares(100, 0.0);
+  for (const glm::dvec3& p : points) shares[static_cast<std::size_t>(p.x / (kCount / 100.0))] += 1;
+  const double mean = static_cast<double>(points.size()) / 100.0;
+  for (const double share : shares) EXPECT_NEAR(share, mean, 5.0 * std::sqrt(mean));
 }
 
 // The ground below a sphere and the sphere's lowest cap lie within each other's neighbourhoods: 2 %

@@ -19,12 +19,12 @@ class PicksInTiles : public testing::Test {
  protected:
   /// Once: writing takes the longest.
   static void SetUpTestSuite() {
-    folder_.emplace();
+    scratch.emplace();
     test::write_sphere_tree(file());
   }
-  static void TearDownTestSuite() { folder_.reset(); }
+  static void TearDownTestSuite() { scratch.reset(); }
 
-  [[nodiscard]] static std::filesystem::path file() { return *folder_ / "tree.relief"; }
+  [[nodiscard]] static std::filesystem::path file() { return *scratch / "tree.relief"; }
 
   static std::shared_ptr<TileSource> open(const std::filesystem::path& path = file()) {
     ScenePlan plan;
@@ -54,10 +54,10 @@ class PicksInTiles : public testing::Test {
     return {position + 3.0 * patch.axes[2], -patch.axes[2], 3.0 * (1.0 + 1e-7), 0.02, id, {}};
   }
 
-  static std::optional<test::ScratchFolder> folder_;
+  static std::optional<test::ScratchFolder> scratch;
 };
 
-std::optional<test::ScratchFolder> PicksInTiles::folder_;
+std::optional<test::ScratchFolder> PicksInTiles::scratch;
 
 TEST_F(PicksInTiles, AreThoseOfTheTilesOwnPatches) {
   const auto source = open();
@@ -90,7 +90,7 @@ TEST_F(PicksInTiles, TryOtherPatches) {
 }
 
 TEST_F(PicksInTiles, SayWhyThereIsNone) {
-  const std::filesystem::path copy = *folder_ / "copy.relief";
+  const std::filesystem::path copy = *scratch / "copy.relief";
   std::filesystem::copy_file(file(), copy);
   const auto source = open(copy);
   std::filesystem::remove(copy);
