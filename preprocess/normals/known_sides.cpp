@@ -20,6 +20,10 @@ constexpr float kWholeWeight = 1.0F;
 // So that the side of a flat sheet is not left to rounding.
 constexpr float kLeastWeight = 1e-3F;
 
+KnownSides led_by(const SampledSides& whole) {
+  return {.whole = &whole, .weight = kWholeWeight, .leads_slivers = true};
+}
+
 }  // namespace
 
 glm::vec3 KnownSides::direction_at(const Points& points, std::size_t point) const {
@@ -39,20 +43,18 @@ KnownSides known_sides(const Points& points, const SideChoice& choice) {
     case NormalSide::Toward:
       return {.viewpoint = choice.toward, .weight = 1.0F, .is_sure = true};
     case NormalSide::Outward:
-      if (choice.whole != nullptr) break;
-      return {.up = up, .weight = kLeastWeight};
+      return choice.whole != nullptr ? led_by(*choice.whole)
+                                     : KnownSides{.up = up, .weight = kLeastWeight};
     case NormalSide::Auto:
       break;
   }
-  const bool is_outward = choice.side == NormalSide::Outward;
-  if (!is_outward && (points.viewpoint || !points.scanner_of.empty())) {
+  if (points.viewpoint || !points.scanner_of.empty()) {
     return {.viewpoint = points.viewpoint,
             .is_of_scanners = !points.scanner_of.empty(),
             .weight = 1.0F,
             .is_sure = true};
   }
-  if (choice.whole != nullptr)
-    return {.up = up, .whole = choice.whole, .weight = kWholeWeight, .leads_slivers = true};
+  if (choice.whole != nullptr) return led_by(*choice.whole);
   return {.up = up,
           .weight = points.is_airborne ? kAirborneWeight : kUpWeight,
           .leads_slivers = points.is_airborne};

@@ -64,12 +64,17 @@ class TileConversion {
     return loaded;
   }
 
-  /// Whether tiles can't know which side their surface faces.
-  [[nodiscard]] bool needs_whole() const {
+  /// Whether a known direction decides the sides.
+  [[nodiscard]] bool sides_are_sure() const {
     Points known;
     known.viewpoint = scan_.viewpoint;
+    return known_sides(known, options_.side).is_sure;
+  }
+
+  /// Whether tiles can't know which side their surface faces.
+  [[nodiscard]] bool needs_whole() const {
     return !scan_.attributes.normals && !scan_.is_airborne &&
-           scan_.sample.size() >= kMinSurfacePoints && !known_sides(known, options_.side).is_sure;
+           scan_.sample.size() >= kMinSurfacePoints && !sides_are_sure();
   }
 
   Status survey() {
@@ -120,10 +125,7 @@ class TileConversion {
     std::vector<SurveyPaths> paths;
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile)
       paths.push_back({folder_.survey(tile), folder_.rim(tile)});
-    Points known;
-    known.viewpoint = scan_.viewpoint;
-    const bool are_sure = needs_whole() || known_sides(known, options_.side).is_sure;
-    RELIEF_TRY_ASSIGN(auto turns, join_sheets(paths, are_sure, progress_));
+    RELIEF_TRY_ASSIGN(auto turns, join_sheets(paths, needs_whole() || sides_are_sure(), progress_));
     turns_ = std::move(turns);
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
       RELIEF_TRY_ASSIGN(const auto survey, load_survey(folder_.survey(tile)));

@@ -157,7 +157,8 @@ std::optional<PickedPoint> MeasuringInput::pick(glm::dvec2 cursor, Display& disp
   if (!query) return std::nullopt;
   picker_.set_model(model_of(session));
   auto point = pick_exactly(*query, session);
-  if (!point) {
+  // Without a picker the neighbours, each of which is drawn to be known, are of no use.
+  if (!point && (session.scene->tiles != nullptr || picker_.ready() != nullptr)) {
     const auto others = patches_about(cursor, display, session);
     query->others = others;
     point = pick_exactly(*query, session);
