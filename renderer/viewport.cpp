@@ -85,7 +85,13 @@ struct Viewport::BegunPart {
   PassTimer& timer;
 };
 
-Viewport::Viewport() : reused_(std::make_unique<Reused>()) {}
+Viewport::Viewport(const RenderModel& model, const PatchPool* pool,
+                   std::span<const EngineEntry> among)
+    : model_(model),
+      pool_(pool),
+      among_(among),
+      environments_(std::make_shared<EnvironmentCache>()),
+      reused_(std::make_unique<Reused>()) {}
 Viewport::~Viewport() = default;
 
 Result<std::unique_ptr<Viewport>> Viewport::create(const GlLoader& load, const RenderModel& model,
@@ -107,28 +113,33 @@ Result<std::unique_ptr<Viewport>> Viewport::make(const GlLoader& load, const Ren
                                                  std::span<const RenderSettings> looks,
                                                  std::span<const EngineEntry> among,
                                                  CollectedStore* collected) {
-  std::unique_ptr<Viewport> made(new Viewport);
+  std::unique_ptr<Viewport> made(new Viewport(model, pool, among));
   RELIEF_TRY_ASSIGN(made->opengl_, OpenGl::adopt(load));
-  made->environments_ = std::make_shared<EnvironmentCache>();
-  const SavedState saved(made->opengl_->gl());
   std::map<std::string, std::vector<RenderSettings>> groups;
   for (const RenderSettings& look : looks) groups[look.engine].push_back(look);
   for (const auto& [name, views] : groups) {
-    RELIEF_TRY_ASSIGN(const EngineEntry* engine, engine_named(name, among));
-    if (!is_for_viewports(*engine))
-      return make_error("engine {} does not draw with OpenGL, which a viewport needs", name);
-    for (const RenderSettings& view : views) RELIEF_TRY(check_engine(*engine, view, model, among));
-    RELIEF_TRY_ASSIGN(made->prepared_[name],
-                      engine->prepare({.model = model,
-                                       .views = views,
-                                       .opengl = made->opengl_,
-                                       .environments = made->environments_,
-                                       .levels = KeptLevels::All,
-                                       .pool = pool,
-                                       // Used up by the first.
-                                       .collected = groups.size() == 1 ? collected : nullptr}));
+    // Used up by the first.
+    RELIEF_TRY(made->prepare(views, groups.size() == 1 ? collected : nullptr));
   }
   return made;
+}
+
+Status Viewport::prepare(std::span<const RenderSettings> looks, CollectedStore* collected) {
+  const std::string& name = looks.front().engine;
+  const SavedState saved(opengl_->gl());
+  RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_named(name, among_));
+  if (!is_for_viewports(*engine))
+    return make_error("engine {} does not draw with OpenGL, which a viewport needs", name);
+  for (const RenderSettings& look : looks) RELIEF_TRY(check_engine(*engine, look, model_, among_));
+  RELIEF_TRY_ASSIGN(auto prepared, engine->prepare({.model = model_,
+                                                    .views = looks,
+                                                    .opengl = opengl_,
+                                                    .environments = environments_,
+                                                    .levels = KeptLevels::All,
+                                                    .pool = pool_,
+                                                    .collected = collected}));
+  prepared_[name] = std::move(prepared);
+  return {};
 }
 
 Result<std::unique_ptr<CollectedStore>> collect_for_viewport(const RenderModel& model,

@@ -76,6 +76,11 @@ class Viewport {
                                                   const PatchPool& pool,
                                                   std::span<const RenderSettings> looks,
                                                   std::span<const EngineEntry> among = engines());
+
+  /// Makes an engine anew, or adds it, for all that it is to draw from now on: `looks` name one
+  /// engine. Other engines stay as they are, and all do if it fails, as create() does.
+  Status prepare(std::span<const RenderSettings> looks, CollectedStore* collected = nullptr);
+
   ~Viewport();
   Viewport(const Viewport&) = delete;
   Viewport& operator=(const Viewport&) = delete;
@@ -120,7 +125,7 @@ class Viewport {
   using PartDrawer = std::function<Status(const BegunPart& part)>;
   struct Reused;  ///< the last part's targets
 
-  Viewport();
+  Viewport(const RenderModel& model, const PatchPool* pool, std::span<const EngineEntry> among);
   static Result<std::unique_ptr<Viewport>> make(const GlLoader& load, const RenderModel& model,
                                                 const PatchPool* pool,
                                                 std::span<const RenderSettings> looks,
@@ -135,7 +140,10 @@ class Viewport {
   /// Calls `draw` for each of the parts that a rectangle of a view is drawn in.
   Status draw_parts(const RenderSettings& view, const Rectangle& part, const PartDrawer& draw);
 
-  std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
+  RenderModel model_;
+  const PatchPool* pool_;
+  std::span<const EngineEntry> among_;
+  std::shared_ptr<const OpenGl> opengl_;  ///< before what is made in it: the last to go
   std::shared_ptr<EnvironmentCache> environments_;
   std::map<std::string, std::unique_ptr<PreparedModel>, std::less<>> prepared_;  ///< by engine
   std::unique_ptr<Reused> reused_;
@@ -146,9 +154,9 @@ class Viewport {
 [[nodiscard]] StoreNeeds pool_needs(const PatchModel& model, std::span<const RenderSettings> looks,
                                     std::span<const EngineEntry> among = engines());
 
-/// Collects what Viewport::create() uploads for these looks: nearly all of its work, on any thread,
-/// without OpenGL. Null where create() has to do it all: for several engines, and for those that
-/// draw no patches. The model outlives it. Fails as create() does, or if it is stopped.
+/// Collects what Viewport::create() or prepare() uploads for these looks: nearly all of its work,
+/// on any thread, without OpenGL. Null where they have to do it all: for several engines, and for
+/// those that draw no patches. The model outlives it. Fails as create() does, or if it is stopped.
 Result<std::unique_ptr<CollectedStore>> collect_for_viewport(
     const RenderModel& model, std::span<const RenderSettings> looks, const StoreLimits& limits,
     const std::stop_token& stop = {}, std::span<const EngineEntry> among = engines());

@@ -85,18 +85,23 @@ Result<RenderSettings> settings_of(const Session& session, const SceneSettings& 
   return settings;
 }
 
-Result<Looks> looks_of(const Session& session) {
-  return looks_of(session, *session.scene);
+ChosenLooks chosen_looks(const Session& session) {
+  return {session.look, session.compared, session.inspection};
 }
 
-Result<Looks> looks_of(const Session& session, const LoadedScene& scene) {
+Result<Looks> looks_of(const Session& session) {
+  return looks_of(session, *session.scene, chosen_looks(session));
+}
+
+Result<Looks> looks_of(const Session& session, const LoadedScene& scene,
+                       const ChosenLooks& chosen) {
   Looks looks;
-  RELIEF_TRY_ASSIGN(looks.first, settings_of(session, session.look, scene));
-  if (session.compared) {
-    RELIEF_TRY_ASSIGN(looks.second, settings_of(session, *session.compared, scene));
+  RELIEF_TRY_ASSIGN(looks.first, settings_of(session, chosen.left, scene));
+  if (chosen.right) {
+    RELIEF_TRY_ASSIGN(looks.second, settings_of(session, *chosen.right, scene));
   }
-  looks.first = inspected(std::move(looks.first), session.inspection);
-  if (looks.second) looks.second = inspected(*std::move(looks.second), session.inspection);
+  looks.first = inspected(std::move(looks.first), chosen.inspection);
+  if (looks.second) looks.second = inspected(*std::move(looks.second), chosen.inspection);
   looks.divider = session.divider.share;
   return looks;
 }

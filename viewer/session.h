@@ -55,6 +55,13 @@ struct InspectionState {
   std::optional<double> truth_share;                ///< done of it, 0 to 1, while it is traced
 };
 
+/// What a picture shows, but for where it is seen from.
+struct ChosenLooks {
+  SceneSettings left;
+  std::optional<SceneSettings> right;  ///< of the divider
+  Inspection inspection = Inspection::Picture;
+};
+
 struct Session {
   explicit Session(Document opened) : document(std::move(opened)) {}
 
@@ -131,9 +138,13 @@ Result<RenderSettings> settings_of(const Session& session, const SceneSettings& 
 Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look,
                                    const LoadedScene& scene);
 
-/// Returns the settings of what the window shows, for its inspection, of `session.scene`, which is
-/// not null, or likewise.
+/// What the user has chosen.
+[[nodiscard]] ChosenLooks chosen_looks(const Session& session);
+
+/// Returns the settings of what the window shows of `scene` if that is chosen.
+Result<Looks> looks_of(const Session& session, const LoadedScene& scene, const ChosenLooks& chosen);
+
+/// Likewise for what is chosen, of `session.scene`, which is not null.
 Result<Looks> looks_of(const Session& session);
-Result<Looks> looks_of(const Session& session, const LoadedScene& scene);
 
 }  // namespace relief

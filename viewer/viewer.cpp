@@ -59,6 +59,8 @@ class Loop {
     const double passed = std::min(now - std::exchange(last_, now), kLongestStep);
     bool changes = take_size();
     changes |= take_arrivals(now);
+    session_.is_preparing |= display_.is_collecting();
+    session_.look_changed |= display_.has_collected();
     if (auto before = follow_distance(session_)) {
       report(display_.show(std::move(before), session_), now);
       changes = true;
@@ -86,7 +88,7 @@ class Loop {
     }
     is_resting_ = false;
     frames_left_ = std::max(frames_left_ - 1, 0);
-    draw(changes || session_.look_changed, now);
+    draw(changes, now);
     if (session_.wants_close) window_.close();
     window_.set_full_screen(session_.wants_full_screen);
   }
@@ -174,13 +176,14 @@ class Loop {
     return reaction.changes;
   }
 
-  void draw(bool changes, double now) {
+  void draw(bool moves, double now) {
     const double scale = display_.pacer().quality().scale;
+    const bool changes = moves || session_.look_changed;
     const FrameKind kind = display_.is_empty()      ? FrameKind::Empty
                            : changes                ? FrameKind::Moving
                            : display_.is_complete() ? FrameKind::Panels
                                                     : FrameKind::Band;
-    report(display_.update(session_, changes), now);
+    report(display_.update(session_, moves), now);
     const auto compared =
         difference_.update(session_, changes, display_.is_complete(), display_.picture(), now);
     if (!compared) add_message(session_, compared.error().message, true, now);

@@ -9,6 +9,10 @@
 namespace relief {
 namespace {
 
+/// Triangles whose place among those kept is on its way from memory at a time. Of 871,000
+/// triangles, waiting for one at a time took XX ms, now YY.
+constexpr std::size_t kAhead = 16;
+
 /// Closes the gaps of dropped points. `kept` lists the points to keep, ascending.
 template <class T>
 void compact(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
@@ -22,6 +26,11 @@ class KeptTriangles {
  public:
   explicit KeptTriangles(std::size_t count)
       : slots_(std::bit_ceil(2 * count + 2), kNoPoint), mask_(slots_.size() - 1) {}
+
+  /// Fetches what `add` will look at, so that it need not wait for memory.
+  void expect(const Triangle& triangle) const {
+    __builtin_prefetch(&slots_[hash(smallest_first(triangle)) & mask_], 1);
+  }
 
   /// Stores the index of a triangle, and returns true, unless an earlier one has the same corners
   /// in the same order from wherever one begins.
@@ -53,6 +62,11 @@ class KeptTriangles {
   std::uint64_t mask_;
 };
 
+Triangle renumbered(Triangle t, const std::vector<std::uint32_t>& new_index) {
+  for (std::uint32_t& corner : t) corner = corner < new_index.size() ? new_index[corner] : kNoPoint;
+  return t;
+}
+
 /// Renumbers triangles and drops those with a lost or invalid corner, with two equal corners, or
 /// that repeat an earlier one.
 void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
@@ -60,10 +74,8 @@ void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
   KeptTriangles kept(triangles.size());
   std::size_t left = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    Triangle t = triangles[i];
-    for (std::uint32_t& corner : t) {
-      corner = corner < new_index.size() ? new_index[corner] : kNoPoint;
-    }
+    if (i + kAhead < triangles.size()) kept.expect(renumbered(triangles[i + kAhead], new_index));
+    const Triangle t = renumbered(triangles[i], new_index);
     const bool whole = std::ranges::find(t, kNoPoint) == t.end();
     if (!whole || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
     if (!kept.add(triangles, t, static_cast<std::uint32_t>(left))) continue;

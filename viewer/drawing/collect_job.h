@@ -25,12 +25,13 @@ inline constexpr std::uint64_t kQuickSamples = 60'000;
 /// Collects on a thread of its own while the window goes on.
 class CollectJob {
  public:
-  /// `looks`: of the window. `wake`: called on that thread when it is done.
+  /// `looks`: what will be uploaded for. `wake`: called on that thread when it is done.
   CollectJob(std::shared_ptr<const LoadedScene> scene, std::vector<RenderSettings> looks,
              const StoreLimits& limits, std::function<void()> wake);
 
   [[nodiscard]] bool is_done() const { return is_done_; }
   [[nodiscard]] const std::shared_ptr<const LoadedScene>& scene() const { return scene_; }
+  [[nodiscard]] const std::vector<RenderSettings>& looks() const { return looks_; }
 
   /// What was collected, once it is done. Null if it failed: uploading will say why.
   [[nodiscard]] CollectedStore* collected() const { return made_.get(); }

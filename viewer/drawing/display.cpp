@@ -49,12 +49,12 @@ Result<std::unique_ptr<Display>> Display::create(const GlLoader& load) {
 }
 
 bool Display::is_slow_to_show(const LoadedScene& scene, const Session& session) const {
-  return is_slow_to_collect(scene) && looks_of(session, scene);
+  return is_slow_to_collect(scene) && looks_of(session, scene, chosen_looks(session));
 }
 
 std::unique_ptr<CollectJob> Display::collect(std::shared_ptr<const LoadedScene> scene,
                                              const Session& session) const {
-  const auto looks = looks_of(session, *scene);
+  const auto looks = looks_of(session, *scene, chosen_looks(session));
   if (!looks) return nullptr;
   return std::make_unique<CollectJob>(std::move(scene), list_of(*looks),
                                       store_limits(opengl_->gl()), session.streaming.wake);
@@ -63,16 +63,16 @@ std::unique_ptr<CollectJob> Display::collect(std::shared_ptr<const LoadedScene> 
 Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session,
                      CollectedStore* collected) {
   if (scene->has_kernels()) session.inspection = Inspection::Picture;
-  RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session, *scene));
+  RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session, *scene, chosen_looks(session)));
+  collecting_.reset();
   RELIEF_TRY_ASSIGN(scene_,
                     UploadedScene::create(load_, scene, looks, session.streaming, collected));
   session.volume_values = values_of(*scene);
   session.scene = std::move(scene);
   pacer_.forget();
   points_.reset();
-  drawn_inspection_ = session.inspection;
   is_steady_ = false;
-  drawn_looks_.emplace(session.look, session.compared);
+  ready_ = chosen_looks(session);
   return {};
 }
 
@@ -82,21 +82,53 @@ Status Display::show(const ScanPoints& points) {
   return {};
 }
 
-Status Display::prepare(Session& session) {
+ChosenLooks Display::shown_looks(const Session& session) const {
+  return is_collecting() ? ready_ : chosen_looks(session);
+}
+
+Result<Looks> Display::drawn_looks(const Session& session) const {
+  return looks_of(session, *session.scene, shown_looks(session));
+}
+
+Status Display::change_look(Session& session) {
+  if (collects(session)) return {};
+  const std::unique_ptr<CollectJob> job = std::move(collecting_);
+  return prepare(session, job ? job->collected() : nullptr);
+}
+
+/// Whether the session's looks have to wait for what is collected for them, which begins. What was
+/// collected for others goes.
+bool Display::collects(const Session& session) {
+  const auto looks = looks_of(session);
+  std::vector<std::vector<RenderSettings>> groups;
+  if (is_slow_to_collect(*session.scene) && looks && scene_->check(*looks))
+    groups = scene_->to_prepare(*looks);
+  if (groups.size() != 1) {
+    collecting_.reset();
+    return false;
+  }
+  if (collecting_ == nullptr || !scene_->are_alike(collecting_->looks(), groups.front())) {
+    collecting_ = std::make_unique<CollectJob>(session.scene, std::move(groups.front()),
+                                               store_limits(opengl_->gl()), session.streaming.wake);
+  }
+  return !collecting_->is_done();
+}
+
+Status Display::prepare(Session& session, CollectedStore* collected) {
   auto prepared = [&]() -> Status {
     RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
-    RELIEF_TRY(scene_->prepare(looks));
+    RELIEF_TRY(scene_->prepare(looks, collected));
     // What is read or compiled by the first image that needs it fails here, once.
     RELIEF_TRY(scene_->viewport().probe(looks.first, 0, 0));
     if (looks.second) RELIEF_TRY(scene_->viewport().probe(*looks.second, 0, 0));
     return {};
   }();
   if (prepared) {
-    drawn_looks_.emplace(session.look, session.compared);
-    drawn_inspection_ = session.inspection;
+    ready_ = chosen_looks(session);
   } else {
-    std::tie(session.look, session.compared) = *drawn_looks_;
-    session.inspection = drawn_inspection_;
+    session.look = ready_.left;
+    session.compared = ready_.right;
+    session.inspection = ready_.inspection;
   }
   is_steady_ = false;
   return prepared;
@@ -104,6 +136,7 @@ Status Display::prepare(Session& session) {
 
 void Display::show_nothing(Session& session) {
   session.scene.reset();
+  collecting_.reset();
   scene_.reset();
   points_.reset();
   picture_ = LivePicture(opengl_->gl());
@@ -121,7 +154,7 @@ Status Display::update(Session& session, bool changes) {
 }
 
 Status Display::draw(Session& session, bool changes) {
-  const bool look_changes = std::exchange(session.look_changed, false);
+  bool look_changes = std::exchange(session.look_changed, false);
   if (points_) {
     const Looks looks = looks_of_points(session);
     return changes ? picture_.draw(*points_, looks, pacer_.quality())
@@ -129,10 +162,12 @@ Status Display::draw(Session& session, bool changes) {
   }
   if (scene_ == nullptr) return {};
   if (look_changes) {
-    RELIEF_TRY(prepare(session));
+    RELIEF_TRY(change_look(session));
+    look_changes = !is_collecting();
+    is_steady_ = false;
   }
-  RELIEF_TRY(choose_inspector(session));
-  RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
+  RELIEF_TRY(choose_inspector(shown_looks(session).inspection));
+  RELIEF_TRY_ASSIGN(const Looks looks, drawn_looks(session));
   depth_scale_ = eye_dome_scale(looks.first.camera) * scene_->viewport().depth_range(looks.first);
   Status drawn = changes || look_changes
                      ? picture_.draw(scene_->viewport(), looks, pacer_.quality())
@@ -146,15 +181,14 @@ Status Display::draw(Session& session, bool changes) {
   return drawn;
 }
 
-Status Display::choose_inspector(const Session& session) {
-  const bool is_needed = inspected_output(session.inspection).has_value();
-  if (is_needed == inspector_.has_value() &&
-      (!inspector_ || inspector_->what() == session.inspection))
+Status Display::choose_inspector(Inspection inspection) {
+  const bool is_needed = inspected_output(inspection).has_value();
+  if (is_needed == inspector_.has_value() && (!inspector_ || inspector_->what() == inspection))
     return {};
   picture_.inspect_with(nullptr);
   inspector_.reset();
   if (!is_needed) return {};
-  RELIEF_TRY_ASSIGN(inspector_, Inspector::create(opengl_->gl(), session.inspection));
+  RELIEF_TRY_ASSIGN(inspector_, Inspector::create(opengl_->gl(), inspection));
   picture_.inspect_with(&*inspector_);
   return {};
 }
@@ -177,9 +211,10 @@ Status Display::encode(const Session& session, const Rows& rows) {
                         .shade = has_depth ? look.eye_dome.value_or(0.0) : 0.0,
                         .depth_scale = depth_scale_};
   };
-  Presentation left = how(session.look);
-  if (session.compared) {
-    Presentation right = how(*session.compared);
+  const ChosenLooks looks = shown_looks(session);
+  Presentation left = how(looks.left);
+  if (looks.right) {
+    Presentation right = how(*looks.right);
     left.to = right.from = session.divider.share;
     RELIEF_TRY(presenter_->encode(canvas, right, rows));
   }
@@ -196,7 +231,7 @@ Result<bool> Display::stream(Session& session, bool moves) {
   session.stream.reset();
   StreamedPatches* const stream = scene_ ? scene_->stream() : nullptr;
   if (stream == nullptr) return false;
-  RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
+  RELIEF_TRY_ASSIGN(const Looks looks, drawn_looks(session));
   const auto views = moves ? list_of(looks, pacer_.quality()) : list_of(looks);
   is_stale_ |= stream->update(views, kUploadMs);
   session.stream = stream->state();
@@ -218,7 +253,7 @@ void Display::present(const Session& session) {
 
 std::optional<Image> Display::probe(const Session& session, glm::dvec2 cursor) {
   if (scene_ == nullptr || points_) return std::nullopt;
-  const auto looks = looks_of(session);
+  const auto looks = drawn_looks(session);
   if (!looks) return std::nullopt;
   const bool is_second = looks->second && cursor.x >= looks->divider * session.window.x;
   const glm::uvec2 at = pixel_of(cursor, session.window);

@@ -44,8 +44,15 @@ class Display {
   void show_nothing(Session& session);
 
   /// Makes the picture newer: all of it and coarsely if something `changes`, otherwise the next
-  /// part of the full picture. A look that cannot be drawn fails, and is put back in the session.
+  /// part of the full picture. A look for which much has to be collected is collected for in the
+  /// background; until then the picture has the look before. A look that cannot be drawn fails, and
+  /// is put back in the session.
   Status update(Session& session, bool changes);
+
+  /// Whether a look is being collected for, and whether that is done: update() then shows it if the
+  /// look is told to have changed.
+  [[nodiscard]] bool is_collecting() const { return collecting_ != nullptr; }
+  [[nodiscard]] bool has_collected() const { return is_collecting() && collecting_->is_done(); }
 
   /// Takes what was read of a scene that is read as views need it: while something `moves`, as fine
   /// as moving pictures show it. Returns whether there is more to draw or to refine.
@@ -80,10 +87,14 @@ class Display {
  private:
   explicit Display(GlLoader load, std::shared_ptr<const OpenGl> opengl)
       : load_(std::move(load)), opengl_(std::move(opengl)), picture_(opengl_->gl()) {}
+  [[nodiscard]] ChosenLooks shown_looks(const Session& session) const;
+  [[nodiscard]] Result<Looks> drawn_looks(const Session& session) const;
   Status draw(Session& session, bool changes);
   Status encode(const Session& session, const Rows& rows);
-  Status prepare(Session& session);
-  Status choose_inspector(const Session& session);
+  Status change_look(Session& session);
+  bool collects(const Session& session);
+  Status prepare(Session& session, CollectedStore* collected);
+  Status choose_inspector(Inspection inspection);
   void note_figures(Session& session) const;
 
   GlLoader load_;
@@ -93,12 +104,12 @@ class Display {
   std::optional<PointCloud> points_;
   std::optional<Inspector> inspector_;  ///< only while the session's inspection needs it
   LivePicture picture_;
-  Pacer pacer_{33.0};         ///< its target is the session's
-  double depth_scale_ = 0.0;  ///< of the newest picture (Presentation::depth_scale)
-  bool is_steady_ = false;    ///< the next frame compiles and uploads nothing
-  bool is_stale_ = false;     ///< patches have come that the picture at rest has not
-  std::optional<std::pair<SceneSettings, std::optional<SceneSettings>>> drawn_looks_;
-  Inspection drawn_inspection_ = Inspection::Picture;
+  Pacer pacer_{33.0};                       ///< its target is the session's
+  double depth_scale_ = 0.0;                ///< of the newest picture (Presentation::depth_scale)
+  bool is_steady_ = false;                  ///< the next frame compiles and uploads nothing
+  bool is_stale_ = false;                   ///< patches have come that the picture at rest has not
+  ChosenLooks ready_;                       ///< what was drawn last; all that it needs is uploaded
+  std::unique_ptr<CollectJob> collecting_;  ///< for what is chosen instead
 };
 
 }  // namespace relief

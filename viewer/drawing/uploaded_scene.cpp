@@ -1,6 +1,7 @@
 #include "viewer/drawing/uploaded_scene.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "renderer/engine_checks.h"
@@ -55,26 +56,61 @@ Result<std::unique_ptr<UploadedScene>> UploadedScene::create(
   return made;
 }
 
-bool UploadedScene::has(const RenderSettings& look) const {
-  const ModelMaps maps(scene_->patches);
-  const auto kind = kind_of(look, maps);
-  return std::any_of(looks_.begin(), looks_.end(),
-                     [&](const RenderSettings& known) { return kind_of(known, maps) == kind; });
-}
-
-Status UploadedScene::prepare(const Looks& looks, CollectedStore* collected) {
+Status UploadedScene::check(const Looks& looks) const {
   for (const RenderSettings& look : list_of(looks)) {
     RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_named(look.engine, engines()));
     RELIEF_TRY(check_engine(*engine, look, forms_));
   }
+  return {};
+}
+
+bool UploadedScene::are_alike(std::span<const RenderSettings> a,
+                              std::span<const RenderSettings> b) const {
+  const ModelMaps maps(scene_->patches);
+  return std::ranges::equal(a, b, [&](const RenderSettings& one, const RenderSettings& other) {
+    return kind_of(one, maps) == kind_of(other, maps);
+  });
+}
+
+std::vector<std::vector<RenderSettings>> UploadedScene::to_prepare(const Looks& looks) const {
+  const ModelMaps maps(scene_->patches);
+  const auto has = [&](const std::vector<RenderSettings>& known, const RenderSettings& look) {
+    return std::ranges::any_of(known, [kind = kind_of(look, maps), &maps](const auto& other) {
+      return kind_of(other, maps) == kind;
+    });
+  };
+  std::vector<std::vector<RenderSettings>> made;
+  for (const RenderSettings& look : list_of(looks)) {
+    if (has(looks_, look)) continue;
+    auto group = std::ranges::find(made, look.engine,
+                                   [](const auto& of_engine) { return of_engine.front().engine; });
+    if (group == made.end()) {
+      group = made.emplace(group);
+      std::ranges::copy_if(looks_, std::back_inserter(*group), [&](const RenderSettings& known) {
+        return known.engine == look.engine;
+      });
+    }
+    if (!has(*group, look)) group->push_back(look);
+  }
+  return made;
+}
+
+Status UploadedScene::prepare(const Looks& looks, CollectedStore* collected) {
+  RELIEF_TRY(check(looks));
+  const std::vector<std::vector<RenderSettings>> groups = to_prepare(looks);
+  if (groups.empty()) return {};
   std::vector<RenderSettings> wanted = looks_;
-  if (!has(looks.first)) wanted.push_back(looks.first);
-  if (looks.second && !has(*looks.second)) wanted.push_back(*looks.second);
-  if (viewport_ != nullptr && wanted.size() == looks_.size()) return {};
+  for (const auto& group : groups) {
+    std::erase_if(wanted, [&](const auto& look) { return look.engine == group.front().engine; });
+    wanted.insert(wanted.end(), group.begin(), group.end());
+  }
   if (scene_->tiles != nullptr) {
     RELIEF_TRY(prepare_stream(wanted));
-  } else {
+  } else if (viewport_ == nullptr) {
     RELIEF_TRY_ASSIGN(viewport_, Viewport::create(load_, forms_, wanted, engines(), collected));
+  } else {
+    for (const auto& group : groups)
+      RELIEF_TRY(viewport_->prepare(group, groups.size() == 1 ? collected : nullptr));
   }
   looks_ = std::move(wanted);
   return {};

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "common/error.h"
@@ -30,9 +31,20 @@ class UploadedScene {
                                                        const StreamOptions& options = {},
                                                        CollectedStore* collected = nullptr);
 
+  /// Fails if an engine of these looks does not draw them or the scene.
+  [[nodiscard]] Status check(const Looks& looks) const;
+
+  /// Returns the looks of each engine for which more has to be uploaded before it draws these: the
+  /// engine's looks so far and the new ones.
+  [[nodiscard]] std::vector<std::vector<RenderSettings>> to_prepare(const Looks& looks) const;
+
   /// Uploads what these looks need and those before did not. If that fails, the looks before can
-  /// still be drawn.
+  /// still be drawn. `collected`: of to_prepare(), if that is one engine's.
   Status prepare(const Looks& looks, CollectedStore* collected = nullptr);
+
+  /// Whether the same is uploaded for both lists of looks.
+  [[nodiscard]] bool are_alike(std::span<const RenderSettings> a,
+                               std::span<const RenderSettings> b) const;
 
   /// What reads the scene's patches as views need them; null if all are there.
   [[nodiscard]] StreamedPatches* stream() { return stream_.get(); }
@@ -43,7 +55,6 @@ class UploadedScene {
  private:
   UploadedScene(GlLoader load, std::shared_ptr<const LoadedScene> scene, StreamOptions options);
   Status prepare_stream(const std::vector<RenderSettings>& looks);
-  [[nodiscard]] bool has(const RenderSettings& look) const;
 
   GlLoader load_;
   std::shared_ptr<const LoadedScene> scene_;  ///< outlives the viewport

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "common/transform.h"
 #include "renderer/frame/targets.h"
@@ -55,6 +56,7 @@ class OwnDisplay : public testing::Test {
     const Canvas& canvas = *display_->picture();
     return read_colour(context_->gl(), canvas.colour, canvas.width, canvas.height);
   }
+  [[nodiscard]] std::vector<float> green() const { return picture().find("G")->values; }
 
   ScratchFolder folder_;
   std::optional<OwnContext> context_;
