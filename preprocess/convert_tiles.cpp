@@ -1,6 +1,8 @@
 #include "preprocess/convert_tiles.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <system_error>
 #include <utility>
 
@@ -27,20 +29,27 @@ std::string crop_text(const PointSelection& selection) {
   return fmt::format("crop {} {} {} {} {} {}", low.x, low.y, low.z, high.x, high.y, high.z);
 }
 
+/// "all", names with commas between, or nothing.
+std::string scalars_text(const ScalarChoice& choice) {
+  return choice.all ? "all" : fmt::format("{}", fmt::join(choice.names, ","));
+}
+
 /// Input and options: everything on which the tiles depend.
 Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const ConvertOptions& options,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 7\nspacing {} cone {} overlap {} step {} colours {} side {} {} {} {}\n"
-      "codec {} normals {}\ntile {}\nread {} {} {}\n",
+      "relief {} tiles 8\nspacing {} cone {} overlap {} step {} colours {} side {} {} {} {}\n"
+      "codec {} normals {}\ntile {}\nread {} {} {} scalars {}\n",
       kVersion, options.spacing, options.cone_degrees,
       options.seams.value_or(false) ? -1 : options.overlap_cells, options.height_step,
       options.colour_scale, static_cast<int>(options.side.side), options.side.toward.x,
       options.side.toward.y, options.side.toward.z, static_cast<int>(file_options.codec),
-      file_options.normal_degrees, tile_points(spread_options), spread_options.read.format,
-      describe_classes(spread_options.read.selection), crop_text(spread_options.read.selection));
+      file_options.normal_degrees,
+      tile_points(spread_options, spread_options.read.scalars.empty() ? 0 : kMaxScalars),
+      spread_options.read.format, describe_classes(spread_options.read.selection),
+      crop_text(spread_options.read.selection), scalars_text(spread_options.read.scalars));
   for (const fs::path& file : files) {
     std::error_code error;
     const auto size = fs::file_size(input_path(file), error);
@@ -119,13 +128,14 @@ Result<std::optional<TiledResult>> convert_files(
   if (!scan || !*scan) job.remove();  // its results are not worth continuing
   if (!scan) return scan.error();
   if (!*scan) return std::optional<TiledResult>();
-  const TiledModel plan{.name = files.front().string(),
-                        .job = job,
-                        .scan = **scan,
-                        .options = options,
-                        .file_options = file_options,
-                        .tile_points = tile_points(spread_options),
-                        .overview_samples = tile_options.overview_samples};
+  const TiledModel plan{
+      .name = files.front().string(),
+      .job = job,
+      .scan = **scan,
+      .options = options,
+      .file_options = file_options,
+      .tile_points = tile_points(spread_options, (*scan)->attributes.scalars.size()),
+      .overview_samples = tile_options.overview_samples};
   auto result = with_threads(
       options.threads, [&] { return convert_all(plan, tile_options.overviews, output, progress); });
   if (!result) return result.error();
@@ -139,6 +149,12 @@ Result<std::optional<TiledResult>> convert_tiles(
     const std::vector<fs::path>& files, const fs::path& output, const ConvertOptions& options,
     const PatchFileOptions& file_options, const TileOptions& tile_options, Progress& progress) {
   const std::string name = output.string();
+  if (options.distances) {
+    return make_error(
+        "{}: distances to the points are not kept in tiles: their range is known at the end only; "
+        "leave out --memory, or the scalar {}",
+        name, kDistanceScalar);
+  }
   return guarded(
       {.subject = name,
        .task = "convert its tiles",

@@ -260,9 +260,8 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
       sub.add_option(
              "--memory", arguments.tiles.memory_bytes,
              "Memory limit, 256M or more. A scan that needs more is converted in tiles, without "
-             "its triangles, textures and scalars; tiles are kept in OUT.parts until the end, so "
-             "that "
-             "the same command resumes an interrupted conversion (default: no limit)")
+             "its triangles and textures; tiles are kept in OUT.parts until the end, so that the "
+             "same command resumes an interrupted conversion (default: no limit)")
           ->excludes("--adaptive-spacing")
           ->excludes("--samples")
           ->excludes("--samples-per-point")
@@ -270,7 +269,6 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
           ->excludes("--clean")
           ->excludes("--noise")
           ->excludes("--thin")
-          ->excludes("--scalars")
           ->transform(CLI::AsSizeValue(false))
           ->check(bytes_from(kMinTileMemory))
           ->option_text("BYTES");

@@ -13,7 +13,6 @@
 #include "common/image/srgb.h"
 #include "common/legend/draw_text.h"
 #include "common/legend/ticks.h"
-#include "common/scalars/scalar_names.h"
 
 namespace relief {
 namespace {
@@ -43,17 +42,6 @@ struct Row {
   glm::u8vec3 colour{0};
   std::string text;
 };
-
-std::string title_of(const ColourScale& scale) {
-  std::string title = scale.name;
-  std::ranges::replace(title, '_', ' ');
-  return title;
-}
-
-std::string label_text(const ColourScale& scale, std::uint32_t label) {
-  const auto name = scale.name == "classification" ? las_class_name(label) : std::string_view();
-  return name.empty() ? fmt::format("{}", label) : fmt::format("{}  {}", label, name);
-}
 
 /// Where the panel is, whole pixels.
 struct Panel {

@@ -67,6 +67,7 @@ struct PatchSummary {
 struct MapScales {
   std::uint32_t normals = 1;
   std::uint32_t colours = 1;
+  std::uint32_t scalars = 1;  ///< of the first
 };
 
 /// The maps of patches that are read. Heights always are.

@@ -348,7 +348,7 @@ MapScales PatchFile::map_scales(std::uint64_t index) const {
     // read_patch() refuses one that is not valid.
     return chunk != nullptr && is_map_scale_valid(patch.summary, chunk->scale) ? chunk->scale : 1U;
   };
-  return {scale_of(kNormalsChunk), scale_of(kColoursChunk)};
+  return {scale_of(kNormalsChunk), scale_of(kColoursChunk), scale_of(kScalarChunk)};
 }
 
 std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches,

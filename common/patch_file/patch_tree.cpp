@@ -16,13 +16,19 @@ Result<PatchTree> PatchTree::open(const std::filesystem::path& path) {
   tree.extent_.is_closed = layout.header.is_closed;
   tree.extent_.extremes = std::move(layout.header.block.extremes);
   tree.extent_.stance = layout.header.block.stance;
+  tree.extent_.scalars = std::move(layout.header.block.scalars);
   tree.tiles_ = std::move(layout.tiles);
   return tree;
 }
 
 Result<PatchFile> PatchTree::open_tile(std::uint32_t tile) const {
   assert(tile < tiles_.size() && "the caller checks tiles()");
-  return PatchFile::open_tile(path_, tiles_[tile]);
+  RELIEF_TRY_ASSIGN(PatchFile file, PatchFile::open_tile(path_, tiles_[tile]));
+  if (!extent_.scalars.empty() && file.info().scalars != extent_.scalars) {
+    return make_error("{}: its scalars are not those of the model; the file is damaged",
+                      file.name());
+  }
+  return file;
 }
 
 }  // namespace relief

@@ -22,7 +22,7 @@ class PatchTree {
   /// The tiles, parents before their children. Every sample of the model is in a tile of level 0.
   [[nodiscard]] const std::vector<TreeTile>& tiles() const { return tiles_; }
 
-  /// The model's spacing, bounds and sphere, and whether it is closed; without patches.
+  /// The model's spacing, bounds, sphere and scalars, and whether it is closed; without patches.
   [[nodiscard]] const PatchModel& extent() const { return extent_; }
 
   /// Opens a tile's patches: reads their index. Thread-safe.
@@ -43,7 +43,8 @@ struct TreePart {
   std::uint32_t parent = kNoTile;  ///< index of an earlier part
 };
 
-/// Writes a file of these tiles, atomically. `extent`: the model's spacing, bounds and sphere.
+/// Writes a file of these tiles, atomically. `extent`: the model's spacing, bounds, sphere and
+/// scalars, which are those of each tile.
 /// Tiles are copied unchanged; memory holds little more than an index. Fails with one sentence.
 Status write_patch_tree(const std::filesystem::path& path, const std::vector<TreePart>& parts,
                         const PatchModel& extent);

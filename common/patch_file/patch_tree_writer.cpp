@@ -50,7 +50,7 @@ Status write_patch_tree(const std::filesystem::path& path, const std::vector<Tre
   header.bounding_radius = extent.bounding_radius;
   header.is_closed = extent.is_closed;
   const std::vector<std::byte> block =
-      write_model_block({extent.extremes, extent.stance}, extent.bounds);
+      write_model_block({extent.extremes, extent.stance, extent.scalars}, extent.bounds);
   header.block_bytes = static_cast<std::uint32_t>(block.size());
   header.index_offset = header.data_offset();
   header.chunks = static_cast<std::uint32_t>(parts.size());

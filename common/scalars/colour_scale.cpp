@@ -1,6 +1,12 @@
 #include "common/scalars/colour_scale.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
 #include "common/scalars/quantise.h"
+#include "common/scalars/scalar_names.h"
 
 namespace relief {
 namespace {
@@ -19,6 +25,17 @@ glm::u8vec3 ColourScale::at(double value) const {
   // A range of one value: all have the middle of the map.
   if (!(high > low)) return colour_at(map, 0.5);
   return colour_at(map, value / (high - low) - low / (high - low));
+}
+
+std::string title_of(const ColourScale& scale) {
+  std::string title = scale.name;
+  std::ranges::replace(title, '_', ' ');
+  return title;
+}
+
+std::string label_text(const ColourScale& scale, std::uint32_t label) {
+  const auto name = scale.name == "classification" ? las_class_name(label) : std::string_view();
+  return name.empty() ? fmt::format("{}", label) : fmt::format("{}  {}", label, name);
 }
 
 Result<ColourScale> make_colour_scale(const ColourBy& colour_by, bool has_labels,

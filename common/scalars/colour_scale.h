@@ -48,6 +48,12 @@ struct ColourScale {
   [[nodiscard]] glm::u8vec3 at(double value) const;
 };
 
+/// Returns the scalar's name in words.
+[[nodiscard]] std::string title_of(const ColourScale& scale);
+
+/// Returns a label, and the meaning that it has in LAS files if they are its scalar's: "2  Ground".
+[[nodiscard]] std::string label_text(const ColourScale& scale, std::uint32_t label);
+
 /// Makes a scale for a scalar of these quantiles. Fails if the range is empty, as a clause.
 [[nodiscard]] Result<ColourScale> make_colour_scale(const ColourBy& colour_by, bool has_labels,
                                                     const Quantiles& quantiles);

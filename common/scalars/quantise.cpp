@@ -42,14 +42,19 @@ double at_percent(const Quantiles& quantiles, double percent) {
 std::optional<ScalarInfo> describe_scalar(const PointScalar& scalar) {
   const auto quantiles = find_quantiles(scalar.values);
   if (!quantiles) return std::nullopt;
-  double low = quantiles->front();
-  double high = quantiles->back();
-  ScalarInfo info{scalar.name, scalar.is_label, low, 1.0, {}};
-  if (!(high - low <= kMaxScalarCode && are_whole(scalar.values))) {
-    const double width = (*quantiles)[kHighPercent] - (*quantiles)[kLowPercent];
+  return describe_scalar(scalar.name, scalar.is_label, are_whole(scalar.values), *quantiles);
+}
+
+ScalarInfo describe_scalar(const std::string& name, bool is_label, bool are_whole,
+                           const Quantiles& quantiles) {
+  double low = quantiles.front();
+  double high = quantiles.back();
+  ScalarInfo info{name, is_label, low, 1.0, {}};
+  if (!are_whole || high - low > kMaxScalarCode) {
+    const double width = quantiles[kHighPercent] - quantiles[kLowPercent];
     if (width > 0.0) {
-      low = std::max(low, (*quantiles)[kLowPercent] - kTailWidths * width);
-      high = std::min(high, (*quantiles)[kHighPercent] + kTailWidths * width);
+      low = std::max(low, quantiles[kLowPercent] - kTailWidths * width);
+      high = std::min(high, quantiles[kHighPercent] + kTailWidths * width);
     }
     low = std::clamp(low, -kLargest, kLargest);
     high = std::clamp(high, -kLargest, kLargest);
@@ -57,7 +62,7 @@ std::optional<ScalarInfo> describe_scalar(const PointScalar& scalar) {
     const double step = (high - low) / kMaxScalarCode;
     if (std::isnormal(step)) info.step = step;
   }
-  std::ranges::transform(*quantiles, info.quantiles.begin(),
+  std::ranges::transform(quantiles, info.quantiles.begin(),
                          [&info](double value) { return code_of(info, value); });
   return info;
 }

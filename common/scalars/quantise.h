@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "common/scalar.h"
@@ -20,6 +21,11 @@ namespace relief {
 /// to the 98th percentile beyond these: a single wrong number must not take all steps from the
 /// others. `values`: finite or NaN. Nothing if none is finite.
 [[nodiscard]] std::optional<ScalarInfo> describe_scalar(const PointScalar& scalar);
+
+/// The same for a scalar of these quantiles, of which the first and last are its extreme numbers.
+/// `are_whole`: all of its numbers.
+[[nodiscard]] ScalarInfo describe_scalar(const std::string& name, bool is_label, bool are_whole,
+                                         const Quantiles& quantiles);
 
 /// Returns the code of a value, clamped to the range; kNoScalar for NaN.
 [[nodiscard]] std::uint16_t code_of(const ScalarInfo& scalar, double value);

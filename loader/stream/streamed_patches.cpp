@@ -58,7 +58,9 @@ StreamedPatches::StreamedPatches(const Gl& gl, std::shared_ptr<TileSource> sourc
                                  std::function<void()> wake)
     : source_(std::move(source)),
       pool_(gl, needs,
-            {.body = {source_->box(), {}}, .is_closed = source_->scene().patches.is_closed}),
+            {.body = {source_->box(), {}},
+             .is_closed = source_->scene().patches.is_closed,
+             .nearest_colours = source_->scene().patches.has_label_colours}),
       loader_(source_, needs, store_limits(gl),
               {budget.memory / 4, budget.memory - budget.memory / 4}, std::move(wake)),
       indices_(source_->tiles().size()),

@@ -14,6 +14,7 @@
 
 #include "common/error.h"
 #include "common/patch_file/patch_tree.h"
+#include "common/scalars/colour_scale.h"
 #include "common/transform.h"
 #include "loader/load_scene.h"
 #include "loader/loaded_scene.h"
@@ -39,10 +40,13 @@ struct ChunkPatches {
 /// An open file. Thread-safe but for its construction.
 class TileSource {
  public:
-  /// Opens the file of a plan, if it is all that the plan shows and has tiles; otherwise null.
-  /// Reads the list of tiles, the index of the last one and one of its patches. Fails as
-  /// PatchTree::open() does.
-  static Result<std::shared_ptr<TileSource>> open(const ScenePlan& plan);
+  /// Opens the file of a plan, if it is all that the plan shows, and has tiles and the scalar that
+  /// it is to be coloured by; otherwise null. Reads the list of tiles and the index of the last
+  /// one. To colour by height or by labels it reads the coarsest tiles, too: the scale has their
+  /// heights or labels. Null also if these are too large, as in files without overviews. Fails as
+  /// PatchTree::open() does, or if the range of colours is empty.
+  static Result<std::shared_ptr<TileSource>> open(const ScenePlan& plan,
+                                                  const std::optional<ColourBy>& colour_by = {});
 
   [[nodiscard]] std::span<const TreeTile> tiles() const { return tree_.tiles(); }
   /// Where the model stands.
@@ -77,6 +81,7 @@ class TileSource {
   Result<std::shared_ptr<const PatchFile>> file_of(std::uint32_t tile);
   Status check_unchanged() const;
   Status look_at_finest(PatchModel& extent);
+  Status begin_colours(PatchModel& extent);
 
   std::filesystem::path path_;
   PatchTree tree_;
@@ -85,6 +90,9 @@ class TileSource {
   LoadedScene scene_;
   Bounds box_;
   PatchKind kind_;
+  std::optional<ColourBy> colour_by_;
+  std::optional<ColourScale> scale_;  ///< of that
+  PatchSections sections_ = {.scalars = false};
   FileTime time_;
   std::vector<std::uint32_t> first_ids_;  ///< by tile: the patch id of its first
 
@@ -93,8 +101,8 @@ class TileSource {
 };
 
 /// Returns the scene of a plan with LoadedScene::tiles, if its patches can be read as views need
-/// them: if all is one patch file with tiles, the engine draws patches on OpenGL, and nothing of
-/// all patches is asked for. Otherwise nothing. Fails as TileSource::open() does.
+/// them: if TileSource::open() opens the plan and the engine draws patches on OpenGL. Otherwise
+/// nothing. Fails as that does.
 Result<std::optional<LoadedScene>> load_tiles(const ScenePlan& plan, const LoadOptions& options);
 
 }  // namespace relief

@@ -51,14 +51,17 @@ Role RecordLayout::add(std::string_view name, const Source& source) {
   return static_cast<Role>(Other + scalars_.size());
 }
 
-PointCollector::PointCollector(const RecordLayout& layout, ColourNumbers colour_numbers,
-                               std::size_t count)
-    : layout_(layout), colour_numbers_(colour_numbers) {
+PointCollector::PointCollector(RecordLayout layout, ColourNumbers colour_numbers, std::size_t count)
+    : layout_(std::move(layout)), colour_numbers_(colour_numbers) {
   points_.positions.reserve(count);
-  if (layout.normals()) points_.normals.reserve(count);
-  if (layout.colours()) colours_.reserve(count);
-  if (layout.texcoords()) points_.texcoords.reserve(count);
-  for (const std::string& name : layout.scalars()) {
+  if (layout_.normals()) points_.normals.reserve(count);
+  if (layout_.colours()) colours_.reserve(count);
+  if (layout_.texcoords()) points_.texcoords.reserve(count);
+  begin_scalars(count);
+}
+
+void PointCollector::begin_scalars(std::size_t count) {
+  for (const std::string& name : layout_.scalars()) {
     points_.scalars.push_back({name, false, {}});
     points_.scalars.back().values.reserve(count);
   }
@@ -95,7 +98,9 @@ Status PointCollector::give_block(const Source& source) {
         "can be read",
         source.name, PointSink::kBlockPoints, 255.0F / *colour_scale_);
   }
-  return source.sink->take(finish());
+  Status taken = source.sink->take(finish());
+  begin_scalars(PointSink::kBlockPoints);
+  return taken;
 }
 
 }  // namespace relief

@@ -49,7 +49,7 @@ class RecordLayout {
 class PointCollector {
  public:
   /// `count`: number of records, already checked against the size of the file.
-  PointCollector(const RecordLayout& layout, ColourNumbers colour_numbers, std::size_t count);
+  PointCollector(RecordLayout layout, ColourNumbers colour_numbers, std::size_t count);
 
   void add(const PointRecord& record);
   [[nodiscard]] Points finish();
@@ -63,6 +63,8 @@ class PointCollector {
   Status give_block(const Source& source);
 
  private:
+  void begin_scalars(std::size_t count);
+
   RecordLayout layout_;
   ColourNumbers colour_numbers_;
   Points points_;

@@ -1,11 +1,7 @@
 #include "preprocess/readers/read_points.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <utility>
 
 #include "common/guard.h"
@@ -30,34 +26,18 @@ bool has_number(const PointScalar& scalar) {
   return std::ranges::any_of(scalar.values, [](double v) { return std::isfinite(v); });
 }
 
-/// "it has intensity, time": some of many.
-std::string list_scalars(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 12;
-  if (names.empty()) return "it has none";
-  const auto some = std::span(names).first(std::min(names.size(), kMost));
-  return fmt::format("it has {}{}", fmt::join(some, ", "),
-                     names.size() > kMost ? fmt::format(" and {} more", names.size() - kMost) : "");
-}
-
-/// Fails unless the points have the scalars that are asked for. Finds out which are labels.
+/// Finds out which scalars are labels. Fails if one that is asked for has no value.
 Status finish_scalars(const std::string& name, const ScalarChoice& choice,
-                      const ReadRemarks& remarks, std::vector<PointScalar>& scalars) {
-  for (const std::string& wanted : choice.names) {
-    const auto found = std::ranges::find(scalars, wanted, &PointScalar::name);
-    if (found == scalars.end()) {
-      return make_error("{}: has no scalar {}; {}", name, relief::quoted(wanted),
-                        list_scalars(remarks.scalars));
-    }
-    if (!has_number(*found))
-      return make_error("{}: its scalar {} has no finite number", name, relief::quoted(wanted));
+                      std::vector<PointScalar>& scalars) {
+  drop_infinite(scalars);
+  for (const PointScalar& scalar : scalars) {
+    if (!has_number(scalar) && std::ranges::find(choice.names, scalar.name) != choice.names.end())
+      return make_error("{}: its scalar {} has no finite number", name,
+                        relief::quoted(scalar.name));
   }
   std::erase_if(scalars, [](const PointScalar& scalar) { return !has_number(scalar); });
-  for (PointScalar& scalar : scalars) {
-    for (double& value : scalar.values) {
-      if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
-    }
+  for (PointScalar& scalar : scalars)
     scalar.is_label = is_label_name(scalar.name) && are_labels(scalar.values);
-  }
   return {};
 }
 
@@ -79,6 +59,7 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
   auto points =
       format->read({name, text, progress, remarks, nullptr, &options.selection, &options.scalars});
   if (!points) return points.error();
+  RELIEF_TRY(check_scalars(name, options.scalars, remarks));
   bytes = std::vector<std::byte>();  // frees; = {} would keep the memory
 
   if (options.selection.crop && !points->positions.empty()) {
@@ -98,7 +79,7 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
                : make_error("{}: holds no points: the coordinates of all {} are NaN or infinite",
                             name, result.dropped_nonfinite);
   }
-  RELIEF_TRY(finish_scalars(name, options.scalars, remarks, result.points.scalars));
+  RELIEF_TRY(finish_scalars(name, options.scalars, result.points.scalars));
   return result;
 }
 

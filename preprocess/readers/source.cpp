@@ -1,10 +1,27 @@
 #include "preprocess/readers/source.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
 
 #include "common/scalar.h"
 
 namespace relief {
+namespace {
+
+/// "it has intensity, time": some of many.
+std::string list_scalars(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 12;
+  if (names.empty()) return "it has none";
+  const auto some = std::span(names).first(std::min(names.size(), kMost));
+  return fmt::format("it has {}{}", fmt::join(some, ", "),
+                     names.size() > kMost ? fmt::format(" and {} more", names.size() - kMost) : "");
+}
+
+}  // namespace
 
 const PointSelection& Source::selection() const {
   static const PointSelection all;
@@ -19,6 +36,25 @@ bool Source::takes_scalar(const std::string& canonical) const {
   const auto kept =
       std::ranges::count_if(known, [this](const std::string& one) { return scalars->has(one); });
   return static_cast<std::size_t>(kept) <= kMaxScalars;
+}
+
+Status check_scalars(const std::string& name, const ScalarChoice& choice,
+                     const ReadRemarks& remarks) {
+  for (const std::string& wanted : choice.names) {
+    if (std::ranges::find(remarks.scalars, wanted) == remarks.scalars.end()) {
+      return make_error("{}: has no scalar {}; {}", name, relief::quoted(wanted),
+                        list_scalars(remarks.scalars));
+    }
+  }
+  return {};
+}
+
+void drop_infinite(std::vector<PointScalar>& scalars) {
+  for (PointScalar& scalar : scalars) {
+    for (double& value : scalar.values) {
+      if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
 }
 
 std::string quoted(std::string_view text) {

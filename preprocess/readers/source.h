@@ -62,6 +62,13 @@ struct Source {
   [[nodiscard]] bool takes_scalar(const std::string& canonical) const;
 };
 
+/// Fails unless a file has the scalars that are asked for by name. `name` begins the error.
+Status check_scalars(const std::string& name, const ScalarChoice& choice,
+                     const ReadRemarks& remarks);
+
+/// Makes numbers that are infinite none: NaN.
+void drop_infinite(std::vector<PointScalar>& scalars);
+
 /// Reports a reader's progress, and whether to stop. Cheap enough to call for every line.
 class ReadMeter {
  public:

@@ -50,8 +50,9 @@ Status spread_level(const Level& below, TileWriter& tiles, SpreadScan& scan,
     QuietProgress quiet(progress);
     RELIEF_TRY_ASSIGN(const auto patches, file.read_patches(all, quiet));
     std::vector<Points> points(patches.size());
+    const std::vector<ScalarInfo>& scalars = scan.attributes.scalars;
     tbb::parallel_for(std::size_t{0}, points.size(),
-                      [&](std::size_t p) { points[p] = coarse_points(patches[p]); });
+                      [&](std::size_t p) { points[p] = coarse_points(patches[p], scalars); });
     for (Points& of_patch : points) {
       to_tiles(scan, of_patch);
       scan.read.points += of_patch.size();
@@ -77,7 +78,8 @@ Result<SpreadScan> open_level(const TiledModel& model, const Level& below, doubl
   scan.layout =
       coarser_layout(below.scan.layout, load,
                      kFullerThanCut * static_cast<double>(model.tile_points), spacing / scan.unit);
-  scan.attributes = {true, model.scan.attributes.colours};
+  scan.attributes = model.scan.attributes;
+  scan.attributes.normals = true;
   scan.bounds = model.scan.bounds;
   TileWriter tiles(folder.folder(), scan.layout, scan.attributes);
   RELIEF_TRY(spread_level(below, tiles, scan, progress));

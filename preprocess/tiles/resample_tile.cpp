@@ -80,7 +80,9 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
                                .graph = graph,
                                .membership = membership,
                                .colours = tile.points.colours,
-                               .creases = creases ? &*creases : nullptr},
+                               .creases = creases ? &*creases : nullptr,
+                               .scalars = tile.points.scalars,
+                               .scalar_infos = surveyed.scalars},
                               std::vector<double>(regions.size(), 1.0), options, regions, progress);
   if (progress.cancelled()) return made;
   std::vector<double> distances = distances_to_patches(

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "common/patch.h"
@@ -26,7 +27,8 @@ struct TilePatches {
 
 /// A tile that has been surveyed, with what only the surveys of all tiles decide.
 struct SurveyedTile {
-  TilePoints points;  ///< as survey_tile left them
+  TilePoints points;                    ///< as survey_tile left them
+  std::span<const ScalarInfo> scalars;  ///< of the points
   TileSurvey survey;
   const std::vector<std::uint8_t>& turns;  ///< whether to flip each sheet
   /// For each point of the halo, its cosine in the TileSurvey of its home tile.

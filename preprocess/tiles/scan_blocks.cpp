@@ -33,16 +33,23 @@ void drop_nonfinite(Points& points, ScanCounts& counts) {
 /// Passes a reader's blocks on and releases the memory of bytes already read.
 class FileSink final : public PointSink {
  public:
-  FileSink(const MappedFile& file, const std::optional<Bounds>& crop, const TakePoints& take,
-           ScanCounts& counts)
-      : file_(file), crop_(crop), take_(take), counts_(counts) {}
+  FileSink(const MappedFile& file, const ReadOptions& options, const ReadRemarks& remarks,
+           std::string name, const TakePoints& take, ScanCounts& counts)
+      : file_(file),
+        options_(options),
+        remarks_(remarks),
+        name_(std::move(name)),
+        take_(take),
+        counts_(counts) {}
 
   Status take(Points block) override {
     block.texcoords.clear();
+    RELIEF_TRY(check_scalars(name_, options_.scalars, remarks_));
+    drop_infinite(block.scalars);
     drop_nonfinite(block, counts_);
-    if (crop_) {
+    if (const auto& crop = options_.selection.crop) {
       for (const glm::dvec3& p : block.positions) extend(bounds_, p);
-      const std::uint64_t outside = crop_points(block, *crop_);
+      const std::uint64_t outside = crop_points(block, *crop);
       counts_.points -= outside;
       counts_.not_selected += outside;
     }
@@ -51,8 +58,9 @@ class FileSink final : public PointSink {
   }
 
   /// Fails if the crop has left none of the points. Call it after the last one.
-  [[nodiscard]] Status check_crop(const std::string& name) const {
-    if (crop_ && taken_ == 0 && !bounds_.empty()) return nothing_in_crop(name, *crop_, bounds_);
+  [[nodiscard]] Status check_crop() const {
+    const auto& crop = options_.selection.crop;
+    if (crop && taken_ == 0 && !bounds_.empty()) return nothing_in_crop(name_, *crop, bounds_);
     return {};
   }
 
@@ -60,7 +68,9 @@ class FileSink final : public PointSink {
 
  private:
   const MappedFile& file_;
-  const std::optional<Bounds>& crop_;
+  const ReadOptions& options_;
+  const ReadRemarks& remarks_;  ///< of the reader, which fills it
+  std::string name_;
   const TakePoints& take_;
   ScanCounts& counts_;
   Bounds bounds_;  ///< of all finite points, if they are cropped
@@ -99,9 +109,10 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, const Read
         path.string(), text.size() / 1'000'000, streamed_formats());
   }
   ReadRemarks remarks;
-  FileSink sink(file, options.selection.crop, take, counts);
-  auto rest = format->read({path.string(), text, progress, remarks,
-                            format->streams ? &sink : nullptr, &options.selection});
+  FileSink sink(file, options, remarks, path.string(), take, counts);
+  auto rest =
+      format->read({path.string(), text, progress, remarks, format->streams ? &sink : nullptr,
+                    &options.selection, &options.scalars});
   if (!rest) return rest.error();
   rest->stance = stance_of(*rest);
   if (!rest->triangles.empty()) {
@@ -113,7 +124,7 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, const Read
   counts.not_selected += remarks.not_selected;
   notes.insert(notes.end(), remarks.notes.begin(), remarks.notes.end());
   RELIEF_TRY(sink.take(std::move(*rest)));
-  return sink.check_crop(path.string());
+  return sink.check_crop();
 }
 
 }  // namespace

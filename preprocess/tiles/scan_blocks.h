@@ -29,7 +29,8 @@ using TakePoints = std::function<Status(Points block)>;
 /// infinite points. Of formats that stream (see readers/format.h) only a block is in memory at a
 /// time; others are read as a whole, and refused if that is likely to take more than `memory`
 /// bytes. Packed files are first unpacked to `folder`, where a later call finds them. Triangles are
-/// left out. Adds notes for the user to `notes`.
+/// left out. Scalars are finite or NaN; fails if a file lacks one that `options` name. Adds notes
+/// for the user to `notes`.
 Result<ScanCounts> read_blocks(const std::vector<std::filesystem::path>& files,
                                const std::filesystem::path& folder, const ReadOptions& options,
                                std::uint64_t memory, const TakePoints& take,

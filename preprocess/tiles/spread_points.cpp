@@ -8,8 +8,10 @@
 
 #include "common/io/standard_input.h"
 #include "common/neighbours/neighbours.h"
-#include "preprocess/normals/sampled_sides.h"
+#include "common/patch_file/scalar_table.h"
+#include "preprocess/points/chance_sample.h"
 #include "preprocess/tiles/checkpoint.h"
+#include "preprocess/tiles/scalar_survey.h"
 #include "preprocess/working_unit.h"
 
 namespace relief {
@@ -20,6 +22,8 @@ namespace fs = std::filesystem;
 // Measured: the peak memory of a conversion for each point, with colours and normals, and the
 // constant part of the program and file buffers (docs/measurements.md, "Larger than memory").
 constexpr std::uint64_t kBytesPerPoint = 450;
+// A scalar is kept twice while a tile's points are merged.
+constexpr std::uint64_t kBytesPerScalar = 16;
 constexpr std::uint64_t kBaseBytes = std::uint64_t{96} << 20U;
 // Halos have a tenth as many points as tiles of a million, and half as many as small ones.
 constexpr double kHaloShare = 0.5;
@@ -27,9 +31,10 @@ constexpr double kHaloShare = 0.5;
 /// Report of the first run.
 struct Look {
   PointSample sample;
-  ChanceSample by_chance;
+  ChanceSample<glm::dvec3> by_chance;
   Bounds bounds;
   ScanAttributes attributes{true, true};
+  ScalarSurvey scalars;
   bool some_normals = false;
   bool some_colours = false;
   std::optional<glm::dvec3> viewpoint;
@@ -47,6 +52,7 @@ struct Look {
     attributes.colours = attributes.colours && !block.colours.empty();
     some_normals = some_normals || !block.normals.empty();
     some_colours = some_colours || !block.colours.empty();
+    scalars.take(block);
     viewpoint = block.viewpoint;
     stance = stance_of(block);
     is_airborne = is_airborne && block.is_airborne;
@@ -60,14 +66,32 @@ std::uint64_t bytes_of(const std::vector<fs::path>& files) {
   return bytes;
 }
 
-std::uint64_t points_for(std::uint64_t memory) {
-  return memory > kBaseBytes ? (memory - kBaseBytes) / kBytesPerPoint : 0;
+std::uint64_t bytes_a_point(std::size_t scalars) {
+  return kBytesPerPoint + scalars * kBytesPerScalar;
 }
 
-template <class Scan>
-auto scan_fields(Scan& s) {
+std::uint64_t points_for(std::uint64_t memory, std::size_t scalars) {
+  return memory > kBaseBytes ? (memory - kBaseBytes) / bytes_a_point(scalars) : 0;
+}
+
+/// `scalars`: as a patch file has them.
+template <class Scan, class Bytes>
+auto scan_fields(Scan& s, Bytes& scalars) {
   return std::tie(s.unit, s.frame, s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts,
-                  s.attributes, s.bounds, s.viewpoint, s.stance, s.is_airborne, s.sample, s.read);
+                  s.attributes.normals, s.attributes.colours, scalars, s.bounds, s.viewpoint,
+                  s.stance, s.is_airborne, s.sample, s.read);
+}
+
+/// The scalars of a scan; fails if one that is asked for has no value.
+Result<std::vector<ScalarInfo>> describe(ScalarSurvey& survey, const ReadOptions& options,
+                                         const std::string& name) {
+  std::vector<ScalarInfo> infos = survey.describe();
+  for (const std::string& wanted : options.scalars.names) {
+    if (std::ranges::find(infos, wanted, &ScalarInfo::name) == infos.end() &&
+        !survey.left_out().contains(wanted))
+      return make_error("{}: its scalar '{}' has no finite number", name, wanted);
+  }
+  return infos;
 }
 
 /// The first reading.
@@ -86,6 +110,8 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   scan.read = *read;
   scan.bounds = seen.bounds;
   scan.attributes = seen.attributes;
+  RELIEF_TRY_ASSIGN(scan.attributes.scalars,
+                    describe(seen.scalars, options.read, files.front().string()));
   scan.stance = seen.stance;
   // Points seen from several positions have no single viewpoint.
   if (files.size() == 1) scan.viewpoint = seen.viewpoint;
@@ -97,6 +123,8 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   };
   note_mixed(seen.some_normals, seen.attributes.normals, "normals");
   note_mixed(seen.some_colours, seen.attributes.colours, "colours");
+  for (const std::string& name : seen.scalars.left_out())
+    note_mixed(true, false, "the scalar " + name);
   return seen;
 }
 
@@ -110,6 +138,7 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
       files, job.folder(), options.read, options.memory_bytes,
       [&](const Points& block) {
         Points moved = block;
+        keep_scalars(scan.attributes.scalars, moved);
         to_tiles(scan, moved);
         return tiles.add(moved);
       },
@@ -144,21 +173,26 @@ void to_tiles(const SpreadScan& scan, Points& points) {
 }
 
 Status save_scan(const fs::path& path, const SpreadScan& scan) {
-  return save_checkpoint(path, scan_fields(scan));
+  const std::vector<std::byte> scalars = write_scalar_table(scan.attributes.scalars);
+  return save_checkpoint(path, scan_fields(scan, scalars));
 }
 
 Result<SpreadScan> load_scan(const fs::path& path) {
   SpreadScan scan;
-  RELIEF_TRY(load_checkpoint(path, scan_fields(scan)));
+  std::vector<std::byte> scalars;
+  RELIEF_TRY(load_checkpoint(path, scan_fields(scan, scalars)));
+  auto parsed = parse_scalar_table(scalars);
+  if (!parsed) return wrong_checkpoint(path);
+  scan.attributes.scalars = *std::move(parsed);
   return scan;
 }
 
-std::uint64_t memory_for(std::uint64_t points) {
-  return kBaseBytes + points * kBytesPerPoint;
+std::uint64_t memory_for(std::uint64_t points, std::size_t scalars) {
+  return kBaseBytes + points * bytes_a_point(scalars);
 }
 
-std::uint64_t tile_points(const SpreadOptions& options) {
-  const double with_halo = static_cast<double>(points_for(options.memory_bytes));
+std::uint64_t tile_points(const SpreadOptions& options, std::size_t scalars) {
+  const double with_halo = static_cast<double>(points_for(options.memory_bytes, scalars));
   return std::min(static_cast<std::uint64_t>(with_halo / (1.0 + kHaloShare)),
                   options.max_tile_points);
 }
@@ -173,12 +207,14 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
   RELIEF_TRY(job.clear());
   SpreadScan scan;
   RELIEF_TRY_ASSIGN(auto seen, look(files, job, options, scan, progress));
-  const std::uint64_t limit = points_for(options.memory_bytes);
+  const std::size_t scalars = scan.attributes.scalars.size();
+  const std::uint64_t limit = points_for(options.memory_bytes, scalars);
   if (scan.read.points <= std::max<std::uint64_t>(limit, kMinSurfacePoints))
     return std::optional<SpreadScan>();
 
   choose_frame(seen.sample, scan);
-  scan.layout = lay_tiles(seen.sample, tile_points(options), options.grid_spacing / scan.unit);
+  scan.layout =
+      lay_tiles(seen.sample, tile_points(options, scalars), options.grid_spacing / scan.unit);
   RELIEF_TRY(spread(files, job, options, scan, progress));
   std::uint64_t largest = 0;
   for (const TileCount& count : scan.counts) largest = std::max(largest, count.own + count.halo);
@@ -186,7 +222,7 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
     return make_error(
         "{}: --memory must be {} MB or more: {} points are too near to each other "
         "to be cut apart",
-        files.front().string(), memory_for(largest) / 1'000'000 + 1, largest);
+        files.front().string(), memory_for(largest, scalars) / 1'000'000 + 1, largest);
   }
   RELIEF_TRY(save_scan(job.layout(), scan));
   return std::optional(std::move(scan));

@@ -27,7 +27,7 @@ struct SpreadScan {
   std::optional<glm::dvec3> viewpoint;
   Stance stance;                   ///< of the last file
   bool is_airborne = false;        ///< all files
-  std::vector<glm::dvec3> sample;  ///< some points of all tiles, as these (ChanceSample)
+  std::vector<glm::dvec3> sample;  ///< some points of all tiles, as these, chosen by chance
   ScanCounts read;
   std::vector<std::string> notes;
 };
@@ -40,7 +40,8 @@ Status save_scan(const std::filesystem::path& path, const SpreadScan& scan);
 Result<SpreadScan> load_scan(const std::filesystem::path& path);
 
 /// Returns the memory that a conversion of this many points at once is assumed to need, bytes.
-[[nodiscard]] std::uint64_t memory_for(std::uint64_t points);
+/// `scalars`: how many each point has.
+[[nodiscard]] std::uint64_t memory_for(std::uint64_t points, std::size_t scalars = 0);
 
 struct SpreadOptions {
   std::uint64_t memory_bytes = 0;
@@ -49,8 +50,8 @@ struct SpreadOptions {
   ReadOptions read = {};      ///< how the files are read
 };
 
-/// Returns the approximate limit of points a tile.
-[[nodiscard]] std::uint64_t tile_points(const SpreadOptions& options);
+/// Returns the approximate limit of points a tile, with this many scalars each.
+[[nodiscard]] std::uint64_t tile_points(const SpreadOptions& options, std::size_t scalars);
 
 /// Reads the files twice: once to lay out tiles, once to write each point to its tile. Reads
 /// nothing if the job has already done this. Returns nothing if a conversion of all points at once

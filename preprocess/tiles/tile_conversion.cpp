@@ -180,6 +180,7 @@ class TileConversion {
     // Where patches that meet reach a tile's border, one cell of margin left pinholes.
     if (resampling.seams) resampling.overlap_cells = 2;
     TilePatches made = resample_tile({.points = std::move(loaded),
+                                      .scalars = scan_.attributes.scalars,
                                       .survey = std::move(survey),
                                       .turns = turns_[tile],
                                       .halo_cosines = *cosines},
@@ -201,6 +202,7 @@ class TileConversion {
     model.bounding_radius = radius_ * scan_.unit;
     model.stance = stance_of(options_.up, scan_.stance);
     model.has_colours = scan_.attributes.colours;
+    model.scalars = scan_.attributes.scalars;
     return model;
   }
 

@@ -30,10 +30,11 @@ fs::path halo_path(const fs::path& folder, std::size_t tile) {
   return folder / fmt::format("halo-{}", tile);
 }
 
-/// A record: a point's position, normal, colour and home, if it has them.
-std::size_t record_bytes(ScanAttributes attributes, bool is_halo) {
+/// A record: a point's position, normal, colour, scalars and home, if it has them.
+std::size_t record_bytes(const ScanAttributes& attributes, bool is_halo) {
   return sizeof(glm::dvec3) + (attributes.normals ? sizeof(glm::vec3) : 0) +
-         (attributes.colours ? sizeof(glm::u8vec3) : 0) + (is_halo ? sizeof(Home) : 0);
+         (attributes.colours ? sizeof(glm::u8vec3) : 0) +
+         attributes.scalars.size() * sizeof(double) + (is_halo ? sizeof(Home) : 0);
 }
 
 template <class T>
@@ -51,8 +52,8 @@ void take(const std::byte*& at, std::vector<T>& values) {
   values.push_back(value);
 }
 
-Status load_part(const fs::path& path, std::uint64_t count, ScanAttributes attributes, bool is_halo,
-                 TilePoints& tile) {
+Status load_part(const fs::path& path, std::uint64_t count, const ScanAttributes& attributes,
+                 bool is_halo, TilePoints& tile) {
   if (count == 0) return {};
   RELIEF_TRY_ASSIGN(const auto file, RandomAccessFile::open(path));
   const std::size_t stride = record_bytes(attributes, is_halo);
@@ -65,6 +66,7 @@ Status load_part(const fs::path& path, std::uint64_t count, ScanAttributes attri
       take(record, tile.points.positions);
       if (attributes.normals) take(record, tile.points.normals);
       if (attributes.colours) take(record, tile.points.colours);
+      for (PointScalar& scalar : tile.points.scalars) take(record, scalar.values);
       if (is_halo) take(record, tile.home);
     }
   }
@@ -75,7 +77,7 @@ Status load_part(const fs::path& path, std::uint64_t count, ScanAttributes attri
 
 TileWriter::TileWriter(fs::path folder, const TileLayout& layout, ScanAttributes attributes)
     : layout_(layout),
-      attributes_(attributes),
+      attributes_(std::move(attributes)),
       buffer_bytes_(kBufferBytes / (2 * layout.tiles.size())),
       own_(layout.tiles.size()),
       halo_(layout.tiles.size()),
@@ -88,7 +90,9 @@ TileWriter::TileWriter(fs::path folder, const TileLayout& layout, ScanAttributes
 
 Status TileWriter::add(const Points& block) {
   assert((!attributes_.normals || block.normals.size() == block.size()) &&
-         (!attributes_.colours || block.colours.size() == block.size()));
+         (!attributes_.colours || block.colours.size() == block.size()) &&
+         std::ranges::equal(block.scalars, attributes_.scalars, {}, &PointScalar::name,
+                            &ScalarInfo::name));
   std::vector<std::uint32_t> halos;
   for (std::size_t i = 0; i < block.size(); ++i) {
     const std::uint32_t own = layout_.tile_of(block.positions[i]);
@@ -107,6 +111,7 @@ Status TileWriter::append(Part& part, const Points& block, std::size_t i, const 
   put(part.buffer, block.positions[i]);
   if (attributes_.normals) put(part.buffer, block.normals[i]);
   if (attributes_.colours) put(part.buffer, block.colours[i]);
+  for (const PointScalar& scalar : block.scalars) put(part.buffer, scalar.values[i]);
   if (home != nullptr) put(part.buffer, *home);
   return part.buffer.size() < buffer_bytes_ ? Status{} : flush(part);
 }
@@ -132,13 +137,17 @@ Status TileWriter::finish() {
 }
 
 Result<TilePoints> load_tile(const fs::path& folder, std::uint32_t tile, TileCount count,
-                             ScanAttributes attributes) {
+                             const ScanAttributes& attributes) {
   TilePoints loaded;
   const std::uint64_t all = count.own + count.halo;
   loaded.own = count.own;
   loaded.points.positions.reserve(all);
   if (attributes.normals) loaded.points.normals.reserve(all);
   if (attributes.colours) loaded.points.colours.reserve(all);
+  for (const ScalarInfo& scalar : attributes.scalars) {
+    loaded.points.scalars.push_back({scalar.name, scalar.is_label, {}});
+    loaded.points.scalars.back().values.reserve(all);
+  }
   loaded.home.reserve(count.halo);
   RELIEF_TRY(load_part(own_path(folder, tile), count.own, attributes, false, loaded));
   RELIEF_TRY(load_part(halo_path(folder, tile), count.halo, attributes, true, loaded));

@@ -8,6 +8,7 @@
 
 #include "common/error.h"
 #include "common/points.h"
+#include "common/scalar.h"
 #include "preprocess/tiles/tile_layout.h"
 
 namespace relief {
@@ -22,6 +23,7 @@ struct Home {
 struct ScanAttributes {
   bool normals = false;
   bool colours = false;
+  std::vector<ScalarInfo> scalars = {};
 };
 
 /// The points in a tile's files.
@@ -44,7 +46,8 @@ class TileWriter {
   /// `folder` must not contain the files yet. `layout` must not change.
   TileWriter(std::filesystem::path folder, const TileLayout& layout, ScanAttributes attributes);
 
-  /// `block` has the attributes; others are ignored. Fails if the disk is full.
+  /// `block` has the attributes, and just their scalars, in their order; others are ignored. Fails
+  /// if the disk is full.
   Status add(const Points& block);
   /// Writes the remaining points. Nothing may be added afterwards.
   Status finish();
@@ -69,7 +72,7 @@ class TileWriter {
 
 /// Reads the files of one tile.
 Result<TilePoints> load_tile(const std::filesystem::path& folder, std::uint32_t tile,
-                             TileCount count, ScanAttributes attributes);
+                             TileCount count, const ScanAttributes& attributes);
 
 /// Removes the files of a tile.
 void remove_tile(const std::filesystem::path& folder, std::uint32_t tile);

@@ -167,6 +167,7 @@ Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooke
                                   Progress& progress, const PatchSections& sections) {
   PartialModel read;
   read.model = tree.extent();
+  if (!sections.scalars) read.model.scalars.clear();
   const std::vector<std::uint32_t> tiles = choose_tiles(tree.tiles(), onlookers);
   std::uint64_t patches = 0;
   for (const std::uint32_t t : tiles) patches += tree.tiles()[t].patches;

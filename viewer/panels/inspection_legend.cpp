@@ -1,8 +1,9 @@
-// What the colours of an inspection stand for, in the picture's lower right corner.
+// What the colours of an inspection or of a scalar stand for, in the picture's lower right corner.
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ constexpr ImU32 kTickColour = IM_COL32(200, 204, 210, 255);
 constexpr int kBarSteps = 64;
 constexpr int kMostTicks = 6;
 constexpr int kFewestTicks = 2;
+constexpr std::size_t kMostLabels = 16;
 /// In ems.
 constexpr float kBarWidth = 16.0F;
 constexpr float kBarHeight = 0.8F;
@@ -87,8 +89,20 @@ void level_boxes() {
   box(kAfarColour, "drawn from afar");
 }
 
+/// What the scan is coloured by: as pictures have it (common/legend).
+void scalar(const ColourScale& scale) {
+  ImGui::TextUnformatted(title_of(scale).c_str());
+  if (!scale.is_label) return bar(scale.map, scale.low, scale.high, false);
+  const std::size_t shown =
+      scale.labels.size() > kMostLabels ? kMostLabels - 1 : scale.labels.size();
+  for (const std::uint32_t label : std::span(scale.labels).first(shown))
+    box(scale.at(label), label_text(scale, label));
+  if (shown < scale.labels.size()) ImGui::Text("and %zu more", scale.labels.size() - shown);
+}
+
 bool has_legend(const Session& session) {
   switch (session.inspection) {
+    case Inspection::Picture:
     case Inspection::Levels:
     case Inspection::Overdraw:
       return true;
@@ -112,6 +126,8 @@ void content(const Session& session) {
   } else if (what == Inspection::Difference) {
     ImGui::TextUnformatted("Difference in 8-bit steps");
     bar(kDifferenceMap, 0.0, kMostDifference, true);
+  } else if (what == Inspection::Picture) {
+    scalar(*session.scene->colours);
   } else {
     const ColourScale& scale = *session.scene->colours;
     ImGui::TextUnformatted("Distance to the points, in the scan's unit");

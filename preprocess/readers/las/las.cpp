@@ -169,7 +169,10 @@ Result<Points> read_las(const Source& source) {
   points.positions.reserve(capacity);
   if (colours != Colours::None) points.colours.reserve(capacity);
   const std::vector<LasScalar> scalars = find_las_scalars(source, header);
-  for (const LasScalar& scalar : scalars) points.scalars.push_back({scalar.name, false, {}});
+  const auto begin_scalars = [&] {
+    for (const LasScalar& scalar : scalars) points.scalars.push_back({scalar.name, false, {}});
+  };
+  begin_scalars();
   // The upper byte is right for both scalings of a byte to 16 bits, by 256 and by 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
   PointFilter filter(source.selection(), header.is_wide());
@@ -189,6 +192,7 @@ Result<Points> read_las(const Source& source) {
       given += points.size();
       if (Status taken = source.sink->take(std::exchange(points, {})); !taken) return taken.error();
       points.is_airborne = found.is_airborne;
+      begin_scalars();
     }
   }
   note_colours(source, colours);

@@ -185,6 +185,36 @@ std::string valid_tree(const ScratchFolder& folder, PatchCodec codec, bool seams
   return slurp(folder / "valid");
 }
 
+TEST(PatchTree, HasTheScalarsOfItsTiles) {
+  const ScratchFolder folder;
+  PatchModel model = bumpy_model(5);
+  model.scalars = {{"intensity", false, 3.0, 0.5, {}}};
+  for (Patch& patch : model.patches) {
+    const std::size_t nodes = std::size_t{patch.width} * patch.height;
+    patch.scalars = {{patch.width, patch.height, 1, std::vector<std::uint16_t>(nodes, 7)}};
+  }
+  const std::vector<TreePart> parts = write_parts(folder, model, PatchCodec::Fast);
+  ASSERT_TRUE(write_patch_tree(folder / "tree", parts, model));
+  const auto tree = PatchTree::open(folder / "tree");
+  ASSERT_TRUE(tree) << tree.error().message;
+  EXPECT_EQ(tree->extent().scalars, model.scalars);
+  const auto tile = read_tile(*tree, 1);
+  ASSERT_TRUE(tile) << tile.error().message;
+  EXPECT_EQ(texel_at(tile->patches[0].scalars[0], tile->patches[0].width / 2,
+                     tile->patches[0].height / 2),
+            7);
+
+  // Painting relies on it.
+  PatchModel other = model;
+  other.scalars[0].name = "time";
+  ASSERT_TRUE(write_patch_tree(folder / "forged", parts, other));
+  const auto forged = PatchTree::open(folder / "forged");
+  ASSERT_TRUE(forged);
+  const auto refused = read_tile(*forged, 1);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("are not those of the model"), std::string::npos);
+}
+
 TEST_P(PatchTreeOf, IsRefusedWhereverItEnds) {
   const ScratchFolder folder;
   for (const bool seams : {false, true}) {

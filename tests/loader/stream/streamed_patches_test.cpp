@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <thread>
@@ -15,7 +17,9 @@
 #include <vector>
 
 #include "common/image/srgb.h"
+#include "common/scalars/colour_map.h"
 #include "common/transform.h"
+#include "loader/colour_by.h"
 #include "renderer/viewport.h"
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/loader/stream/sphere_tree.h"
@@ -54,7 +58,7 @@ class Streams : public testing::Test {
 
   std::unique_ptr<StreamedPatches> open(double radii = 3.0, const StreamBudget& budget = {
                                                                 64 * kMegabyte, 64 * kMegabyte}) {
-    auto source = TileSource::open(plan_);
+    auto source = TileSource::open(plan_, colour_by_);
     EXPECT_TRUE(source) << source.error().message;
     source_ = *source;
     const RenderSettings view = view_from(radii);
@@ -92,9 +96,11 @@ class Streams : public testing::Test {
     const auto tree = PatchTree::open(file());
     const std::vector<Transform> transforms(1);
     Progress silent;
-    const auto read =
-        read_in_view(*tree, onlookers_of({&view, 1}, transforms, tree->extent()), silent);
+    auto read = read_in_view(*tree, onlookers_of({&view, 1}, transforms, tree->extent()), silent);
     EXPECT_TRUE(read) << read.error().message;
+    if (colour_by_) {
+      EXPECT_TRUE(paint_patches(*colour_by_, {}, read->model));
+    }
     const auto viewport = Viewport::create(loader(), RenderModel::of(read->model), {&view, 1});
     EXPECT_TRUE(viewport) << viewport.error().message;
     return draw(**viewport, view);
@@ -120,6 +126,7 @@ class Streams : public testing::Test {
 
   test::ScratchFolder folder_;
   ScenePlan plan_;
+  std::optional<ColourBy> colour_by_;
   test::OwnContext context_;
   std::shared_ptr<TileSource> source_;
 };
@@ -140,6 +147,52 @@ TEST_F(Streams, BeginWithTheCoarsestTileAndEndWithWhatAnImageOfTheViewHas) {
     EXPECT_LE(count_different(draw(*stream, view), draw_alone(view)), 4 * 160 * 160 / 1000U)
         << radii;
   }
+}
+
+TEST_F(Streams, AreColouredByAScalarOfTheFile) {
+  test::write_sphere_tree(file(), true);
+  colour_by_ = ColourBy{.scalar = "classification"};
+  const auto stream = open();
+  const LoadedScene& scene = source_->scene();
+  ASSERT_TRUE(scene.colours);
+  EXPECT_EQ(scene.colours->labels, (std::vector<std::uint32_t>{2, 6}));
+  EXPECT_TRUE(scene.patches.has_label_colours);
+  EXPECT_TRUE(scene.patches.scalars.empty());
+  RenderSettings view = view_from(3.0);
+  view.material = Material::Unlit;
+  settle(*stream, view);
+  const Image streamed = draw(*stream, view);
+  EXPECT_LE(count_different(streamed, draw_alone(view)), 4 * 160 * 160 / 1000U);
+  // Labels are never mixed.
+  std::set<std::uint8_t> greens;
+  for (std::size_t p = 0; p < streamed.find("G")->values.size(); ++p) {
+    if (streamed.find("A")->values[p] == 1.0F)
+      greens.insert(srgb8_from_linear(streamed.find("G")->values[p]));
+  }
+  EXPECT_EQ(greens, (std::set<std::uint8_t>{las_class_colour(2).g, las_class_colour(6).g}));
+}
+
+TEST_F(Streams, AreColouredByHeight) {
+  colour_by_ = ColourBy{.scalar = kHeightScalar, .up = glm::dvec3(0.0, 0.0, 1.0)};
+  const auto stream = open();
+  const auto scale = source_->scene().colours;
+  ASSERT_TRUE(scale);
+  // 2 and 98 % of a sphere's area are below these heights.
+  EXPECT_NEAR(scale->low, -0.96, 0.06);
+  EXPECT_NEAR(scale->high, 0.96, 0.06);
+  const TileIndex index = *source_->read_index(1);
+  const auto read = source_->read_patches({1, 0}, index.chunks.front());
+  ASSERT_TRUE(read) << read.error().message;
+  const Patch& patch = read->model.patches.front();
+  const std::uint32_t i = patch.width / 2;
+  const std::uint32_t j = patch.height / 2;
+  EXPECT_EQ(texel_at(patch.colours, i, j), scale->at(position_of(patch, i, j).z));
+}
+
+TEST_F(Streams, AreNotColouredByAScalarThatTheFileLacks) {
+  const auto source = TileSource::open(plan_, ColourBy{.scalar = "classification"});
+  ASSERT_TRUE(source) << source.error().message;
+  EXPECT_EQ(*source, nullptr);
 }
 
 TEST_F(Streams, ReadNothingTwiceWhileThereIsRoom) {

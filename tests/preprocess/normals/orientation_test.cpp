@@ -7,6 +7,7 @@
 
 #include "preprocess/normals/normals.h"
 #include "preprocess/normals/orient_sample.h"
+#include "preprocess/points/chance_sample.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {
@@ -106,7 +107,7 @@ TEST(Orientation, OfBoxesOnAGround) {
 TEST(Orientation, OfAPartIsThatOfTheWhole) {
   Truth whole;
   add_box(whole, {0, 0, 0.5}, {1.0, 1.0, 0.5}, true);
-  ChanceSample sample;
+  ChanceSample<glm::dvec3> sample;
   Truth part;  // of the floor, which faces down
   for (std::size_t i = 0; i < whole.sides.size(); ++i) {
     const glm::dvec3 p = whole.points.positions[i];
@@ -119,12 +120,12 @@ TEST(Orientation, OfAPartIsThatOfTheWhole) {
 }
 
 TEST(ChanceSample, IsSpreadOverAllPointsAndBounded) {
-  ChanceSample sample;
+  ChanceSample<glm::dvec3> sample;
   constexpr int kCount = 1'000'000;
   for (int i = 0; i < kCount; ++i) sample.add({i, 0, 0});
   const std::vector<glm::dvec3> points = sample.take();
-  EXPECT_LT(points.size(), ChanceSample::kMost);
-  EXPECT_GT(points.size(), ChanceSample::kMost / 3);
+  EXPECT_LT(points.size(), ChanceSample<glm::dvec3>::kMost);
+  EXPECT_GT(points.size(), ChanceSample<glm::dvec3>::kMost / 3);
   // Each hundredth has its share, to within five standard deviations.
   std::vector<double> shares(100, 0.0);
   for (const glm::dvec3& p : points) shares[static_cast<std::size_t>(p.x / (kCount / 100.0))] += 1;

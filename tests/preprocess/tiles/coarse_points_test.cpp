@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "common/image/srgb.h"
 #include "tests/common/patch_file/sample_models.h"
 
@@ -68,6 +71,24 @@ TEST(CoarsePoints, ColoursAreMeansOfLight) {
   ASSERT_EQ(points.colours.size(), 1U);
   // Each node has four texels about it, two of them white.
   EXPECT_EQ(points.colours[0], glm::u8vec3(srgb8_from_linear(0.5F)));
+}
+
+TEST(CoarsePoints, NumbersAreMeansAndLabelsTheMostFrequent) {
+  Patch patch = slope(4, 2, 0);
+  const ScalarInfo number{"height_index", false, -10.0, 0.5, {}};
+  const ScalarInfo label{"class", true, 1.0, 1.0, {}};
+  const auto map = [](std::vector<std::uint16_t> codes) {
+    return AttributeMap<std::uint16_t>{4, 2, 1, std::move(codes)};
+  };
+  patch.scalars = {map({10, 20, 7, kNoScalar, 30, 40, kNoScalar, kNoScalar}),
+                   map({5, 2, 6, 3, 5, 8, kNoScalar, 3})};
+  const Points points = coarse_points(patch, std::array{number, label});
+  ASSERT_EQ(points.scalars.size(), 2U);
+  EXPECT_EQ(points.scalars[0].values, (std::vector<double>{2.5, -6.5}));
+  EXPECT_TRUE(points.scalars[1].is_label);
+  EXPECT_EQ(points.scalars[1].values, (std::vector<double>{6.0, 4.0}));
+  patch.scalars[0] = map(std::vector<std::uint16_t>(8, kNoScalar));
+  EXPECT_TRUE(std::isnan(coarse_points(patch, std::array{number, label}).scalars[0].values[0]));
 }
 
 }  // namespace

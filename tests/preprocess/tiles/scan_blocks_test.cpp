@@ -15,6 +15,8 @@ using test::pack;
 using test::ScratchFolder;
 using test::spill;
 
+const ReadOptions kAllScalars{.scalars = {.all = true, .names = {}}};
+
 constexpr std::size_t kScanPoints = 3 * 65536 + 17;  // three blocks and something
 
 struct Gathered {
@@ -28,7 +30,7 @@ Gathered gather(const std::vector<std::filesystem::path>& files, const ScratchFo
   Gathered all;
   Progress progress;
   const auto counts = read_blocks(
-      files, folder.path(), {}, std::uint64_t{1} << 30U,
+      files, folder.path(), kAllScalars, std::uint64_t{1} << 30U,
       [&](const Points& block) -> Status {
         if (block.size() == 0) return {};
         ++all.blocks;
@@ -36,6 +38,14 @@ Gathered gather(const std::vector<std::filesystem::path>& files, const ScratchFo
         to.positions.insert(to.positions.end(), block.positions.begin(), block.positions.end());
         to.normals.insert(to.normals.end(), block.normals.begin(), block.normals.end());
         to.colours.insert(to.colours.end(), block.colours.begin(), block.colours.end());
+        if (to.scalars.empty()) to.scalars.resize(block.scalars.size());
+        EXPECT_EQ(to.scalars.size(), block.scalars.size());
+        for (std::size_t k = 0; k < std::min(to.scalars.size(), block.scalars.size()); ++k) {
+          const PointScalar& scalar = block.scalars[k];
+          to.scalars[k].name = scalar.name;
+          to.scalars[k].values.insert(to.scalars[k].values.end(), scalar.values.begin(),
+                                      scalar.values.end());
+        }
         return {};
       },
       all.notes, progress);
@@ -45,18 +55,19 @@ Gathered gather(const std::vector<std::filesystem::path>& files, const ScratchFo
 }
 
 std::string gather_error(const std::filesystem::path& file, const ScratchFolder& folder,
-                         std::uint64_t memory = std::uint64_t{1} << 30U) {
+                         std::uint64_t memory = std::uint64_t{1} << 30U,
+                         const ReadOptions& options = {}) {
   Progress progress;
   std::vector<std::string> notes;
   const auto counts = read_blocks(
-      {file}, folder.path(), {}, memory, [](const Points&) -> Status { return {}; }, notes,
+      {file}, folder.path(), options, memory, [](const Points&) -> Status { return {}; }, notes,
       progress);
   return counts ? "no error" : counts.error().message;
 }
 
 void expect_as_whole(const std::filesystem::path& file, const ScratchFolder& folder) {
   Progress progress;
-  const auto whole = read_points(file, progress);
+  const auto whole = read_points(file, progress, kAllScalars);
   ASSERT_TRUE(whole) << whole.error().message;
   const Gathered blocks = gather({file}, folder);
   EXPECT_GE(blocks.blocks, 3U);
@@ -66,6 +77,11 @@ void expect_as_whole(const std::filesystem::path& file, const ScratchFolder& fol
   EXPECT_EQ(blocks.points.positions, whole->points.positions);
   EXPECT_EQ(blocks.points.normals, whole->points.normals);
   EXPECT_EQ(blocks.points.colours, whole->points.colours);
+  ASSERT_EQ(blocks.points.scalars.size(), whole->points.scalars.size());
+  for (std::size_t k = 0; k < whole->points.scalars.size(); ++k) {
+    EXPECT_EQ(blocks.points.scalars[k].name, whole->points.scalars[k].name);
+    EXPECT_EQ(blocks.points.scalars[k].values, whole->points.scalars[k].values);
+  }
 }
 
 std::string ply(std::string_view format, std::size_t points, bool faces) {
@@ -73,7 +89,7 @@ std::string ply(std::string_view format, std::size_t points, bool faces) {
       "ply\nformat {} 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty "
       "double "
       "z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty "
-      "uchar green\nproperty uchar blue\n",
+      "uchar green\nproperty uchar blue\nproperty short quality\n",
       format, points);
   if (faces) text += "element face 1\nproperty list uchar int vertex_indices\n";
   text += "end_header\n";
@@ -81,11 +97,11 @@ std::string ply(std::string_view format, std::size_t points, bool faces) {
     const double x = 0.5 * static_cast<double>(i);
     const auto red = static_cast<std::uint8_t>(i % 251);
     if (format == "ascii") {
-      text +=
-          fmt::format("{} 1 -2 0 0 1 {} 7 9\n", i % 1000 == 5 ? "nan" : fmt::format("{}", x), red);
+      text += fmt::format("{} 1 -2 0 0 1 {} 7 9 {}\n", i % 1000 == 5 ? "nan" : fmt::format("{}", x),
+                          red, i % 1001);
     } else {
       text += pack(test::ByteOrder::Little, i % 1000 == 5 ? std::nan("") : x, 1.0, -2.0, 0.F, 0.F,
-                   1.F, red, std::uint8_t{7}, std::uint8_t{9});
+                   1.F, red, std::uint8_t{7}, std::uint8_t{9}, static_cast<std::int16_t>(i % 1001));
     }
   }
   if (faces) text += pack(test::ByteOrder::Little, std::uint8_t{3}, 0, 1, 2);
@@ -128,13 +144,21 @@ TEST(ScanBlocks, LasIsAsReadAsAWhole) {
 
 TEST(ScanBlocks, XyzIsAsReadAsAWholePlainAndPacked) {
   const ScratchFolder folder;
-  std::string text = "x y z r g b\n";
+  std::string text = "x y z r g b quality\n";
   for (std::size_t i = 0; i < kScanPoints; ++i)
-    text += fmt::format("{}.5 {} 3 {} 20 255\n", i, i % 7, i % 256);
+    text += fmt::format("{}.5 {} 3 {} 20 255 {}\n", i, i % 7, i % 256, i % 1001);
   spill(folder / "a.xyz", text);
   expect_as_whole(folder / "a.xyz", folder);
   spill(folder / "b.xyz.gz", test::gzip(text));
   expect_as_whole(folder / "b.xyz.gz", folder);
+}
+
+TEST(ScanBlocks, AScalarThatAFileLacksIsMissed) {
+  const ScratchFolder folder;
+  spill(folder / "a.ply", ply("binary_little_endian", 100, false));
+  const ReadOptions options{.scalars = {.all = false, .names = {"time"}}};
+  EXPECT_EQ(gather_error(folder / "a.ply", folder, std::uint64_t{1} << 30U, options),
+            (folder / "a.ply").string() + ": has no scalar 'time'; it has quality");
 }
 
 TEST(ScanBlocks, FilesComeOneAfterAnother) {
