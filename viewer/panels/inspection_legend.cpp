@@ -102,10 +102,10 @@ void scalar(const ColourScale& scale) {
 
 bool has_legend(const Session& session) {
   switch (session.inspection) {
-    case Inspection::Picture:
     case Inspection::Levels:
     case Inspection::Overdraw:
       return true;
+    case Inspection::Picture:
     case Inspection::Distance:
       return session.scene->colours.has_value();
     case Inspection::Difference:
