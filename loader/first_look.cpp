@@ -25,6 +25,10 @@ bool is_unlit_at_first(const SceneSettings& planned, const ShownColours& colours
          !colours.are_on_faces;
 }
 
+bool asks_for_samples(const SceneSettings& planned) {
+  return planned.options.contains("samples");
+}
+
 void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSettings& settings) {
   const SceneSettings& planned = view.settings;
   if (!planned.background) settings.background = glm::vec3(linear_from_srgb(kBackground));
@@ -34,7 +38,7 @@ void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSett
   const bool has_samples =
       !scene.has_kernels() || (scene.volumes && !scene.patches.patches.empty());
   if (engine && (*engine)->capabilities.needs_opengl && has_samples && !is_timed &&
-      planned.options.find("samples") == planned.options.end())
+      !asks_for_samples(planned))
     settings.samples = kPictureSamples;
   if (!is_unlit_at_first(planned, {has_colours(scene), scene.colours.has_value(), scene.has_faces}))
     return;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/image/srgb.h"
+#include "loader/first_look.h"
 #include "renderer/eye_dome.h"
 #include "viewer/choices/volume_choices.h"
 
@@ -232,7 +233,11 @@ Result<bool> Display::stream(Session& session, bool moves) {
   StreamedPatches* const stream = scene_ ? scene_->stream() : nullptr;
   if (stream == nullptr) return false;
   RELIEF_TRY_ASSIGN(const Looks looks, drawn_looks(session));
-  const auto views = moves ? list_of(looks, pacer_.quality()) : list_of(looks);
+  auto views = moves ? list_of(looks, pacer_.quality()) : list_of(looks);
+  // As `relief render` reads them.
+  const ChosenLooks shown = shown_looks(session);
+  if (!asks_for_samples(shown.left)) views.front().samples = 1;
+  if (shown.right && !asks_for_samples(*shown.right)) views.back().samples = 1;
   is_stale_ |= stream->update(views, kUploadMs);
   session.stream = stream->state();
   if (is_stale_ && picture_.restart()) is_stale_ = false;
