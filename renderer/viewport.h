@@ -61,9 +61,9 @@ class Viewport {
  public:
   /// Uploads the model, which must outlive the viewport. `looks`: the engines, primitives,
   /// interpolations, materials, lights and outputs that draw() will be given; their cameras and
-  /// sizes do not matter. `collected`: what collect_for_viewport() made of them, used up. Fails if
-  /// OpenGL is older than 4.5 or lacks memory, or an engine of `looks` does not draw this model
-  /// with OpenGL.
+  /// sizes do not matter. `among` must outlive the viewport, too. `collected`: what
+  /// collect_for_viewport() made of them, used up. Fails if OpenGL is older than 4.5 or lacks
+  /// memory, or an engine of `looks` does not draw this model with OpenGL.
   static Result<std::unique_ptr<Viewport>> create(const GlLoader& load, const RenderModel& model,
                                                   std::span<const RenderSettings> looks,
                                                   std::span<const EngineEntry> among = engines(),

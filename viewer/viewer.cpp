@@ -184,8 +184,9 @@ class Loop {
                            : display_.is_complete() ? FrameKind::Panels
                                                     : FrameKind::Band;
     report(display_.update(session_, moves), now);
-    const auto compared =
-        difference_.update(session_, changes, display_.is_complete(), display_.picture(), now);
+    // While a look is collected for, the picture is that of another.
+    const bool is_final = display_.is_complete() && !display_.is_collecting();
+    const auto compared = difference_.update(session_, changes, is_final, display_.picture(), now);
     if (!compared) add_message(session_, compared.error().message, true, now);
     if (!compared || *compared) frames_left_ = kFramesAfterEvent;  // its legend opens
     display_.present(session_);

@@ -30,10 +30,10 @@ bool has_number(const PointScalar& scalar) {
 Status finish_scalars(const std::string& name, const ScalarChoice& choice,
                       std::vector<PointScalar>& scalars) {
   drop_infinite(scalars);
-  for (const PointScalar& scalar : scalars) {
-    if (!has_number(scalar) && std::ranges::find(choice.names, scalar.name) != choice.names.end())
-      return make_error("{}: its scalar {} has no finite number", name,
-                        relief::quoted(scalar.name));
+  for (const std::string& wanted : choice.names) {
+    const auto found = std::ranges::find(scalars, wanted, &PointScalar::name);
+    if (found == scalars.end() || !has_number(*found))
+      return make_error("{}: its scalar {} has no finite number", name, relief::quoted(wanted));
   }
   std::erase_if(scalars, [](const PointScalar& scalar) { return !has_number(scalar); });
   for (PointScalar& scalar : scalars)

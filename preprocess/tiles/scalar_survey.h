@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "common/error.h"
 #include "common/points.h"
 #include "common/scalar.h"
 #include "preprocess/points/chance_sample.h"

@@ -65,9 +65,9 @@ Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session,
                      CollectedStore* collected) {
   if (scene->has_kernels()) session.inspection = Inspection::Picture;
   RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session, *scene, chosen_looks(session)));
-  collecting_.reset();
   RELIEF_TRY_ASSIGN(scene_,
                     UploadedScene::create(load_, scene, looks, session.streaming, collected));
+  collecting_.reset();
   session.volume_values = values_of(*scene);
   session.scene = std::move(scene);
   pacer_.forget();
@@ -79,6 +79,7 @@ Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session,
 
 Status Display::show(const ScanPoints& points) {
   RELIEF_TRY_ASSIGN(points_, PointCloud::create(opengl_->gl(), points));
+  collecting_.reset();  // nobody would take it
   is_steady_ = false;
   return {};
 }
@@ -102,9 +103,9 @@ Status Display::change_look(Session& session) {
 bool Display::collects(const Session& session) {
   const auto looks = looks_of(session);
   std::vector<std::vector<RenderSettings>> groups;
-  if (is_slow_to_collect(*session.scene) && looks && scene_->check(*looks))
-    groups = scene_->to_prepare(*looks);
-  if (groups.size() != 1) {
+  if (looks && scene_->check(*looks)) groups = scene_->to_prepare(*looks);
+  // Counting samples comes last: a look changes with each step of a slider.
+  if (groups.size() != 1 || !is_slow_to_collect(*session.scene)) {
     collecting_.reset();
     return false;
   }

@@ -49,8 +49,8 @@ class Display {
   /// is put back in the session.
   Status update(Session& session, bool changes);
 
-  /// Whether a look is being collected for, and whether that is done: update() then shows it if the
-  /// look is told to have changed.
+  /// Whether a look is being collected for, and whether that is done. Then set
+  /// Session::look_changed: update() shows the look.
   [[nodiscard]] bool is_collecting() const { return collecting_ != nullptr; }
   [[nodiscard]] bool has_collected() const { return is_collecting() && collecting_->is_done(); }
 
