@@ -11,6 +11,11 @@
 namespace relief {
 namespace {
 
+/// `more`: what the noun ends with unless there is one.
+std::string counted(std::size_t count, const char* noun, const char* more = "s") {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : more);
+}
+
 /// What a scene consists of.
 std::string text_of(const LoadedScene& scene) {
   std::vector<std::string> parts;
@@ -24,10 +29,10 @@ std::string text_of(const LoadedScene& scene) {
         ++volumes;
     }
   }
-  if (!scene.has_kernels() || !scene.patches.patches.empty())
-    parts.push_back(fmt::format("{} patches", scene.patches.patches.size()));
-  if (volumes > 0) parts.push_back(fmt::format("{} volume{}", volumes, volumes > 1 ? "s" : ""));
-  if (gaussians > 0) parts.push_back(fmt::format("{} Gaussians", gaussians));
+  const std::size_t patches = scene.patches.patches.size();
+  if (!scene.has_kernels() || patches > 0) parts.push_back(counted(patches, "patch", "es"));
+  if (volumes > 0) parts.push_back(counted(volumes, "volume"));
+  if (gaussians > 0) parts.push_back(counted(gaussians, "Gaussian"));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
