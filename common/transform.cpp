@@ -36,13 +36,13 @@ Bounds moved_bounds(const Transform& transform, const Bounds& bounds, double new
   return {centre - reach, centre + reach};
 }
 
-Status check_frame(const PatchFrame& frame) {
+Status check_frame(const MovedFrame& frame) {
   if (fits_float(frame.spacing) && fits_float(frame.height_step) && is_finite(frame.origin))
     return {};
   return Error{"the transform makes it too large or too small for single precision"};
 }
 
-void set_frame(Patch& patch, const PatchFrame& frame) {
+void set_frame(Patch& patch, const MovedFrame& frame) {
   patch.origin = frame.origin;
   patch.axes = frame.axes;
   patch.spacing = frame.spacing;
@@ -89,7 +89,7 @@ glm::dmat3 rotation_about(glm::dvec3 axis, double degrees) {
   return glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), axis));
 }
 
-PatchFrame moved(const Transform& transform, const Patch& patch) {
+MovedFrame moved(const Transform& transform, const Patch& patch) {
   return {moved(transform, patch.origin), transform.rotation * patch.axes,
           patch.spacing * transform.scale, patch.height_step * transform.scale};
 }
@@ -97,7 +97,7 @@ PatchFrame moved(const Transform& transform, const Patch& patch) {
 Status transform_model(PatchModel& model, const Transform& transform) {
   assert(model.instances.empty() && "patches that stand where they are");
   for (Patch& patch : model.patches) {
-    const PatchFrame frame = moved(transform, patch);
+    const MovedFrame frame = moved(transform, patch);
     RELIEF_TRY(check_frame(frame));
     set_frame(patch, frame);
   }

@@ -15,7 +15,7 @@ namespace relief {
 [[nodiscard]] glm::dmat3 rotation_about(glm::dvec3 axis, double degrees);
 
 /// The frame of a patch, as in Patch.
-struct PatchFrame {
+struct MovedFrame {
   glm::dvec3 origin{0.0};
   glm::dmat3 axes{1.0};
   double spacing = 1.0;
@@ -23,7 +23,7 @@ struct PatchFrame {
 };
 
 /// Returns the transformed frame.
-[[nodiscard]] PatchFrame moved(const Transform& transform, const Patch& patch);
+[[nodiscard]] MovedFrame moved(const Transform& transform, const Patch& patch);
 
 /// Transforms a model. Only the patches' frames and steps change, so that the result is exact to
 /// double precision for any model size. The new bounds are a box about the transformed bounds, with

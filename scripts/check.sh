@@ -15,6 +15,8 @@ stage "format"
 scripts/format.sh --check
 stage "include cycles"
 scripts/include_cycles.py --fail
+stage "names"
+scripts/same_names.py --fail
 stage "documentation and experiments"
 cmake --preset "$preset" >/dev/null
 cmake --build --preset "$preset" --target relief relief_experiments

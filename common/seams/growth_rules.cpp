@@ -231,7 +231,7 @@ bool GrowthRules::is_free(Vertex from, Vertex to, Vertex apex) const {
   return free;
 }
 
-std::optional<Candidate> GrowthRules::best_on(Vertex from, Vertex to) const {
+std::optional<GrowthCandidate> GrowthRules::best_on(Vertex from, Vertex to) const {
   const BorderVertex& a = front_.vertex(from);
   const BorderVertex& b = front_.vertex(to);
   const double length = glm::distance(a.position, b.position);
@@ -240,7 +240,7 @@ std::optional<Candidate> GrowthRules::best_on(Vertex from, Vertex to) const {
   // Whatever the apex's patch: its circle may not be larger.
   const double largest = std::max(kLargestRadius * std::max(spacing, grid_.largest_spacing()),
                                   kLargestRadiusInEdges * length);
-  std::vector<Candidate> found;
+  std::vector<GrowthCandidate> found;
   grid_.for_each_within(
       0.5 * (a.position + b.position), reach, [&](const VertexGrid::Place& place, double) {
         if (may_be_good(a, b, place.position, largest)) {
@@ -248,10 +248,10 @@ std::optional<Candidate> GrowthRules::best_on(Vertex from, Vertex to) const {
             found.push_back({*score, from, to, place.vertex});
         }
       });
-  std::sort(found.begin(), found.end(), [](const Candidate& x, const Candidate& y) {
+  std::sort(found.begin(), found.end(), [](const GrowthCandidate& x, const GrowthCandidate& y) {
     return x.score != y.score ? x.score < y.score : x.apex < y.apex;
   });
-  for (const Candidate& candidate : found) {
+  for (const GrowthCandidate& candidate : found) {
     if (is_free(from, to, candidate.apex)) return candidate;
   }
   return {};

@@ -9,7 +9,7 @@
 namespace relief {
 
 /// A triangle that could be added on a border edge from `from` to `to`.
-struct Candidate {
+struct GrowthCandidate {
   double score = 0.0;  ///< smaller is better
   Front::Vertex from = 0;
   Front::Vertex to = 0;
@@ -32,7 +32,7 @@ class GrowthRules {
   [[nodiscard]] bool is_free(Vertex from, Vertex to, Vertex apex) const;
 
   /// The best triangle on a border edge, if there is one.
-  [[nodiscard]] std::optional<Candidate> best_on(Vertex from, Vertex to) const;
+  [[nodiscard]] std::optional<GrowthCandidate> best_on(Vertex from, Vertex to) const;
 
  private:
   const Front& front_;

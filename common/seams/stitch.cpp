@@ -22,7 +22,7 @@ using Vertex = Front::Vertex;
 /// The order of a queue whose top is the best. No two in it are on the same edge, so it does not
 /// matter in which order they come.
 struct IsWorse {
-  [[nodiscard]] bool operator()(const Candidate& a, const Candidate& b) const {
+  [[nodiscard]] bool operator()(const GrowthCandidate& a, const GrowthCandidate& b) const {
     if (a.score != b.score) return a.score > b.score;
     if (a.from != b.from) return a.from > b.from;
     return a.to > b.to;
@@ -39,8 +39,8 @@ class Growth {
         first_(first_candidates()) {}
 
   void grow() {
-    while (const std::optional<Candidate> taken = take_best()) {
-      const Candidate& best = *taken;
+    while (const std::optional<GrowthCandidate> taken = take_best()) {
+      const GrowthCandidate& best = *taken;
       if (!front_.is_open(best.from, best.to)) continue;
       const std::optional<double> score = rules_.score_of(best.from, best.to, best.apex);
       if (score && *score <= best.score && rules_.is_free(best.from, best.to, best.apex)) {
@@ -55,11 +55,11 @@ class Growth {
 
  private:
   /// The best triangle of each border edge, the best of all last.
-  [[nodiscard]] std::vector<Candidate> first_candidates() const {
-    tbb::enumerable_thread_specific<std::vector<Candidate>> found;
+  [[nodiscard]] std::vector<GrowthCandidate> first_candidates() const {
+    tbb::enumerable_thread_specific<std::vector<GrowthCandidate>> found;
     const auto count = static_cast<Vertex>(front_.vertices().size());
     tbb::parallel_for(tbb::blocked_range<Vertex>(0, count), [&](const auto& range) {
-      std::vector<Candidate>& own = found.local();
+      std::vector<GrowthCandidate>& own = found.local();
       for (Vertex v = range.begin(); v != range.end(); ++v) {
         for (const Front::Edge& edge : front_.at(v)) {
           if (!edge.outward) continue;
@@ -67,32 +67,33 @@ class Growth {
         }
       }
     });
-    std::vector<Candidate> all;
-    for (const std::vector<Candidate>& own : found) all.insert(all.end(), own.begin(), own.end());
+    std::vector<GrowthCandidate> all;
+    for (const std::vector<GrowthCandidate>& own : found)
+      all.insert(all.end(), own.begin(), own.end());
     tbb::parallel_sort(all.begin(), all.end(), IsWorse());
     return all;
   }
 
-  std::optional<Candidate> take_best() {
+  std::optional<GrowthCandidate> take_best() {
     const bool queued =
         !queue_.empty() && (first_.empty() || IsWorse()(first_.back(), queue_.top()));
     if (!queued && first_.empty()) return {};
-    const Candidate best = queued ? queue_.top() : first_.back();
+    const GrowthCandidate best = queued ? queue_.top() : first_.back();
     queued ? queue_.pop() : first_.pop_back();
     return best;
   }
 
   /// Puts the best triangle on a border edge into the queue, if there is one.
   void suggest(Vertex from, Vertex to) {
-    if (const std::optional<Candidate> best = rules_.best_on(from, to)) queue_.push(*best);
+    if (const std::optional<GrowthCandidate> best = rules_.best_on(from, to)) queue_.push(*best);
   }
 
   Front& front_;
   VertexGrid grid_;
   GrowthRules rules_;
   // Sorted once: a queue of all would be read from memory, a queue of the rest is small.
-  std::vector<Candidate> first_;
-  std::priority_queue<Candidate, std::vector<Candidate>, IsWorse> queue_;
+  std::vector<GrowthCandidate> first_;
+  std::priority_queue<GrowthCandidate, std::vector<GrowthCandidate>, IsWorse> queue_;
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Votes {
   glm::dvec3 normal{0.0};
 
   /// `noise`: the centre's, world units.
-  void add(const Window& window, const glm::dvec3& centre, double noise) {
+  void add(const NoiseWindow& window, const glm::dvec3& centre, double noise) {
     const glm::dvec3 offset = (centre - window.centre) / window.unit;
     const double share = glm::dot(offset, offset) / window.squared_radius;
     if (share >= 1.0) return;
@@ -42,7 +42,7 @@ struct Votes {
 /// Windows of similar size, by their own tree's slots, so that those about a centre lie together.
 struct WindowTree {
   PositionTree tree;
-  std::vector<Window> windows;
+  std::vector<NoiseWindow> windows;
   double largest_radius = 0.0;  ///< in their units
 };
 
@@ -51,7 +51,7 @@ struct WindowTree {
 constexpr std::array<double, 3> kSquaredRadii = {20.0, 70.0, 1e300};
 
 /// The windows of squared radii above one number, units, and up to another.
-WindowTree tree_of(const std::vector<Window>& windows, double above, double up_to) {
+WindowTree tree_of(const std::vector<NoiseWindow>& windows, double above, double up_to) {
   std::vector<std::uint32_t> found;
   std::vector<glm::dvec3> centres;
   double squared = 0.0;
@@ -68,7 +68,7 @@ WindowTree tree_of(const std::vector<Window>& windows, double above, double up_t
   return tree;
 }
 
-std::vector<WindowTree> trees_of(const std::vector<Window>& windows) {
+std::vector<WindowTree> trees_of(const std::vector<NoiseWindow>& windows) {
   std::vector<WindowTree> trees;
   double above = 0.0;  // windows that do not exist have radius 0
   for (const double up_to : kSquaredRadii) {
@@ -79,7 +79,7 @@ std::vector<WindowTree> trees_of(const std::vector<Window>& windows) {
 }
 
 /// What all windows say of a centre.
-Votes votes_on(const Window& own, const std::vector<WindowTree>& trees, double noise) {
+Votes votes_on(const NoiseWindow& own, const std::vector<WindowTree>& trees, double noise) {
   Votes votes;
   for (const WindowTree& tree : trees) {
     const double squared_reach = std::pow(tree.largest_radius * own.unit, 2.0);
@@ -95,7 +95,7 @@ Votes votes_on(const Window& own, const std::vector<WindowTree>& trees, double n
 
 }  // namespace
 
-SmoothPoints move_points(const std::vector<Window>& windows, const std::vector<float>& noise,
+SmoothPoints move_points(const std::vector<NoiseWindow>& windows, const std::vector<float>& noise,
                          Progress& progress) {
   const auto count = static_cast<std::uint32_t>(windows.size());
   const std::vector<WindowTree> trees = trees_of(windows);
@@ -103,7 +103,7 @@ SmoothPoints move_points(const std::vector<Window>& windows, const std::vector<f
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count, 64), [&](const auto& range) {
     if (progress.cancelled()) return;
     for (std::uint32_t slot = range.begin(); slot != range.end(); ++slot) {
-      const Window& own = windows[slot];
+      const NoiseWindow& own = windows[slot];
       smooth.positions[slot] = own.centre;
       if (!(own.unit > 0.0)) continue;
       const Votes votes = votes_on(own, trees, noise[slot]);

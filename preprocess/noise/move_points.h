@@ -21,7 +21,7 @@ struct SmoothPoints {
 ///
 /// `noise`: standard deviation of the centres, world units. Centres without noise stay, and those
 /// far off all windows.
-[[nodiscard]] SmoothPoints move_points(const std::vector<Window>& windows,
+[[nodiscard]] SmoothPoints move_points(const std::vector<NoiseWindow>& windows,
                                        const std::vector<float>& noise, Progress& progress);
 
 }  // namespace relief

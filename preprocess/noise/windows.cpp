@@ -38,7 +38,7 @@ constexpr std::size_t kFirstRings = 2;
 constexpr std::size_t kMoreRings = 3;
 
 /// `noise`: in the window's units.
-void grow_window(Rings& rings, QuadricFit& fit, double noise, Window& window) {
+void grow_window(Rings& rings, QuadricFit& fit, double noise, NoiseWindow& window) {
   fit.start();
   std::size_t collected = 0;
   double low = -std::numeric_limits<double>::infinity();
@@ -73,11 +73,12 @@ static_assert((Rings::kCount - kFirstRings) % kMoreRings == 0);
 
 }  // namespace
 
-std::vector<Window> find_windows(const PositionTree& tree, const std::vector<glm::dvec3>& centres,
-                                 const std::vector<float>& spacing, const std::vector<float>& noise,
-                                 Progress& progress) {
+std::vector<NoiseWindow> find_windows(const PositionTree& tree,
+                                      const std::vector<glm::dvec3>& centres,
+                                      const std::vector<float>& spacing,
+                                      const std::vector<float>& noise, Progress& progress) {
   const auto count = static_cast<std::uint32_t>(centres.size());
-  std::vector<Window> windows(count);
+  std::vector<NoiseWindow> windows(count);
   const auto find_at = [&](std::uint32_t slot, Rings& rings, QuadricFit& fit) {
     windows[slot].centre = centres[slot];
     if (!(noise[slot] > 0.0F) || !(spacing[slot] > 0.0F)) return;

@@ -10,7 +10,7 @@
 namespace relief {
 
 /// The largest disc about a centre over which a scan bends like a quadric.
-struct Window {
+struct NoiseWindow {
   glm::dvec3 centre{0.0};       ///< world frame
   double unit = 0.0;            ///< length of the quadric's units, world units; 0: no noise there
   Quadric quadric{};            ///< about the centre
@@ -30,9 +30,10 @@ struct Window {
 /// `spacing`: the scan's about each centre, `noise`: its standard deviation there, world units; a
 /// centre without noise has no window, nor have centres of balls of points. Only some have one if
 /// the user interrupts. The result does not depend on the number of threads.
-[[nodiscard]] std::vector<Window> find_windows(const PositionTree& tree,
-                                               const std::vector<glm::dvec3>& centres,
-                                               const std::vector<float>& spacing,
-                                               const std::vector<float>& noise, Progress& progress);
+[[nodiscard]] std::vector<NoiseWindow> find_windows(const PositionTree& tree,
+                                                    const std::vector<glm::dvec3>& centres,
+                                                    const std::vector<float>& spacing,
+                                                    const std::vector<float>& noise,
+                                                    Progress& progress);
 
 }  // namespace relief

@@ -64,7 +64,7 @@ void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& kno
 // 0.09 dB worse to 0.16 better.
 constexpr float kAgreeingDegrees = 8.0F;
 
-glm::vec3 normal_of(const SurfacePoint& surface, NormalSource source) {
+glm::vec3 normal_of(const MlsPoint& surface, NormalSource source) {
   if (source == NormalSource::Fits) return surface.fitted_normal;
   if (source == NormalSource::Points) return surface.given_normal;
   const float cosine = glm::dot(surface.fitted_normal, surface.given_normal);
@@ -87,7 +87,7 @@ bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, 
   return false;
 }
 
-AttributeMap<glm::i16vec2> sample_normals(const std::vector<SurfacePoint>& surface,
+AttributeMap<glm::i16vec2> sample_normals(const std::vector<MlsPoint>& surface,
                                           const std::vector<NodeState>& states,
                                           const PatchGrid& grid, NormalSource source) {
   std::vector<glm::vec3> normals(surface.size(), glm::vec3(0.0F));

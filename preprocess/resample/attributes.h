@@ -38,7 +38,7 @@ template <class ValueOf>
                                  std::uint32_t a, std::uint32_t b, std::uint32_t scale);
 
 /// Sets one normal per grid node. Holes continue their surroundings.
-[[nodiscard]] AttributeMap<glm::i16vec2> sample_normals(const std::vector<SurfacePoint>& surface,
+[[nodiscard]] AttributeMap<glm::i16vec2> sample_normals(const std::vector<MlsPoint>& surface,
                                                         const std::vector<NodeState>& states,
                                                         const PatchGrid& grid, NormalSource source);
 

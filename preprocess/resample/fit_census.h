@@ -9,8 +9,8 @@ namespace relief {
 
 struct FitSummary {
   std::uint64_t fits = 0;
-  std::uint64_t replaced = 0;  ///< of them, by tangent planes (SurfacePoint::is_replaced)
-  double condition = 1.0;      ///< the largest (SurfacePoint::condition)
+  std::uint64_t replaced = 0;  ///< of them, by tangent planes (MlsPoint::is_replaced)
+  double condition = 1.0;      ///< the largest (MlsPoint::condition)
 
   FitSummary& operator+=(const FitSummary& more) {
     fits += more.fits;

@@ -167,8 +167,8 @@ bool are_finite(const FitColumn& unknowns) {
 
 /// Fits the points about the tangent plane of the nearest, those with normals `like` that one.
 template <std::size_t kValues>
-SurfacePoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32_t nearest,
-                 glm::dvec2 at, double spacing, glm::vec3 normal, float like) {
+MlsPoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32_t nearest,
+             glm::dvec2 at, double spacing, glm::vec3 normal, float like) {
   const glm::dvec3 about(at, tangent_height(points, nearest, at.x, at.y));
   const double to_nearest = glm::distance(about, points.positions[nearest]);
   const double scale = std::max({kScaleInSpacings * points.spacing[nearest],
@@ -182,7 +182,7 @@ SurfacePoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32
   std::array<FitColumn, kValues> fits;
   for (std::size_t c = 0; c < kValues; ++c) fits[c] = equations.solve(sums.right_side[c]);
 
-  SurfacePoint out;
+  MlsPoint out;
   const FitColumn& height = fits[0];
   const double implicit = sums.tangent / sums.weight;
   const glm::vec3 mean = unit_or_up(sums.normal);
@@ -202,19 +202,17 @@ SurfacePoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32
 
 }  // namespace
 
-SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
-                          const PointGrid& all, double x, double y, double spacing,
-                          bool with_given_normal) {
+MlsPoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting, const PointGrid& all,
+                      double x, double y, double spacing, bool with_given_normal) {
   const std::uint32_t nearest = supporting.nearest(x, y, 16.0 * spacing);
   if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}, true};
   const auto fit_to = with_given_normal ? fit<4> : fit<1>;
   return fit_to(points, all, nearest, {x, y}, spacing, points.normals[nearest], kMinLikeness);
 }
 
-std::optional<SurfacePoint> evaluate_mls_beside_crease(const PatchPoints& points,
-                                                       const PointGrid& own, const PointGrid& all,
-                                                       glm::dvec2 at, double reach,
-                                                       glm::vec3 normal, double spacing) {
+std::optional<MlsPoint> evaluate_mls_beside_crease(const PatchPoints& points, const PointGrid& own,
+                                                   const PointGrid& all, glm::dvec2 at,
+                                                   double reach, glm::vec3 normal, double spacing) {
   std::uint32_t nearest = PointGrid::kNone;
   double least = std::numeric_limits<double>::infinity();
   own.for_each_within(at.x, at.y, reach, [&](std::uint32_t p, double squared) {

@@ -9,7 +9,7 @@
 namespace relief {
 
 /// The MLS surface above one position of the base plane.
-struct SurfacePoint {
+struct MlsPoint {
   double height = 0.0;            ///< world units along the plane's normal
   glm::vec3 fitted_normal{0.0F};  ///< of the fitted surface, unit, patch frame
   glm::vec3 given_normal{0.0F};   ///< fitted to the points' normals, unit, patch frame, or 0
@@ -29,15 +29,17 @@ struct SurfacePoint {
 /// The estimate comes from the nearest point of `supporting`; the fit uses all points of `all` near
 /// the surface. Other points give no estimate: all points of a wall perpendicular to the base plane
 /// lie at one position of it. `with_given_normal`: that takes a third of the time.
-[[nodiscard]] SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
-                                        const PointGrid& all, double x, double y, double spacing,
-                                        bool with_given_normal);
+[[nodiscard]] MlsPoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
+                                    const PointGrid& all, double x, double y, double spacing,
+                                    bool with_given_normal);
 
 /// Evaluates the surface on one side of a crease, which goes on beyond it: fits points whose
 /// normals are near that side's `normal`, not their normals. Nothing if none of the region's own is
 /// within `reach`.
-[[nodiscard]] std::optional<SurfacePoint> evaluate_mls_beside_crease(
-    const PatchPoints& points, const PointGrid& own, const PointGrid& all, glm::dvec2 at,
-    double reach, glm::vec3 normal, double spacing);
+[[nodiscard]] std::optional<MlsPoint> evaluate_mls_beside_crease(const PatchPoints& points,
+                                                                 const PointGrid& own,
+                                                                 const PointGrid& all,
+                                                                 glm::dvec2 at, double reach,
+                                                                 glm::vec3 normal, double spacing);
 
 }  // namespace relief

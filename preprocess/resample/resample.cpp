@@ -144,7 +144,7 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
   patch.height = grid.height;
   if (grid.width == 0 || grid.height == 0) return patch;
 
-  std::vector<SurfacePoint> surface(grid.size());
+  std::vector<MlsPoint> surface(grid.size());
   FitSummary fits;
   for (std::size_t m = 0; m < states.size(); ++m) {
     if (states[m] == NodeState::Hole) continue;

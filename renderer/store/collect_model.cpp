@@ -165,7 +165,7 @@ Status ModelCollector::add_near(const Instance& instance, std::span<const View> 
 void ModelCollector::add_grid(std::size_t index, const Transform& where, std::uint8_t material,
                               std::uint32_t id) {
   const Grid& grid = grids_.grid(index);
-  const PatchFrame frame = relief::moved(where, *grid.nodes);
+  const MovedFrame frame = relief::moved(where, *grid.nodes);
   StoredPatch kept;
   kept.level = grid.level;
   kept.material = material;

@@ -87,7 +87,7 @@ TEST_F(AdaptiveSpacing, FollowsTheDensityAndClosesWithoutHoles) {
   const json even = run({"convert", scan, "-o", path("even.relief"), "--even-spacing"});
   const json adaptive = run({"convert", scan, "-o", path("adaptive.relief")});
   run({"convert", scan, "-o", path("asked.relief"), "--adaptive-spacing"});
-  EXPECT_EQ(bytes_of(path("asked.relief")), bytes_of(path("adaptive.relief"))) << "the default";
+  EXPECT_EQ(file_bytes(path("asked.relief")), file_bytes(path("adaptive.relief"))) << "the default";
   EXPECT_EQ(spacing_ratio("even.relief"), 1.0);
   EXPECT_GT(spacing_ratio("adaptive.relief"), 3.0);
   EXPECT_LE(spacing_ratio("adaptive.relief"), 8.0);

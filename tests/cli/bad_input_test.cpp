@@ -168,7 +168,7 @@ TEST_F(BadInput, AnOlderFileStaysWhenAConversionFails) {
   const std::string scan = write("bad.xyz", "1 2 3\n");
   write("out.relief", "what was there before");
   expect_no_conversion(scan, "bad.xyz");
-  EXPECT_EQ(bytes_of(path("out.relief")), "what was there before");
+  EXPECT_EQ(file_bytes(path("out.relief")), "what was there before");
 }
 
 TEST_F(BadInput, FileSizeLimit) {
@@ -224,7 +224,7 @@ TEST_F(BadInput, InterruptedConversionInTiles) {
 
 TEST_F(BadInput, DamagedPatchFile) {
   ASSERT_EQ(run_relief({"convert", write_knot(500), "-o", path("good.relief")}).exit_code, 0);
-  const std::string good = bytes_of(path("good.relief"));
+  const std::string good = file_bytes(path("good.relief"));
   ASSERT_GT(good.size(), 200U);
   // The library's own tests try every byte; here it counts that the command passes the word on.
   for (std::size_t at = 0; at < good.size(); at += good.size() / 40) {

@@ -89,7 +89,7 @@ TEST_F(BenchCommand, ListsEveryMeshMethod) {
     EXPECT_GE(row["gpu_bytes"], row["model_bytes"]);
   }
   EXPECT_EQ(defaults, 1);
-  const std::string plot = bytes_of(path("bench.svg"));
+  const std::string plot = file_bytes(path("bench.svg"));
   EXPECT_EQ(plot.rfind("<svg", 0), 0U);
   EXPECT_NE(plot.find("multipass sprite radius-factor 2"), std::string::npos);
 }
@@ -225,7 +225,7 @@ TEST_F(BenchCommand, ComparesAllEngines) {
   EXPECT_TRUE(rows.at("ewa")["gpu_bytes"].is_null());
   EXPECT_TRUE(rows.at("ewa")["ratio_to_multipass"].is_number());
   EXPECT_EQ(rows.at("multipass quad")["ratio_to_multipass"], 1.0);
-  const std::string plot = bytes_of(path("engines.svg"));
+  const std::string plot = file_bytes(path("engines.svg"));
   EXPECT_EQ(plot.rfind("<svg", 0), 0U);
   EXPECT_NE(plot.find(">ewa</text>"), std::string::npos);
   EXPECT_NE(plot.find("pixels that both cover"), std::string::npos);
@@ -244,7 +244,7 @@ TEST_F(BenchCommand, ComparesEnginesOnAScanWithoutFaces) {
   EXPECT_EQ(rows.at("ewa")["input"], "points");
   const std::string vertices =
       fmt::format("element vertex {}\n", rows.at("ewa")["samples"].get<std::uint64_t>());
-  EXPECT_NE(bytes_of(scene).find(vertices), std::string::npos) << vertices;
+  EXPECT_NE(file_bytes(scene).find(vertices), std::string::npos) << vertices;
   EXPECT_TRUE(rows.at("ewa")["ratio_to_multipass"].is_null());
   const Outcome text =
       run_relief({"bench", scene, "--size", "64x48", "--frames", "1", "--engines", "all"});

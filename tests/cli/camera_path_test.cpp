@@ -41,9 +41,9 @@ TEST_F(CameraPathCommand, HasAsManyFramesAsSecondsTimesTheRateFromKeyToKey) {
       render("last.png", {"--eye", "9,0,2", "--target", "0.5,0,0", "--up", "z", "--fov", "30"})
           .exit_code,
       0);
-  EXPECT_EQ(bytes_of(path("way_0000.png")), bytes_of(path("first.png")));
-  EXPECT_EQ(bytes_of(path("way_0003.png")), bytes_of(path("last.png")));
-  EXPECT_NE(bytes_of(path("way_0001.png")), bytes_of(path("first.png")));
+  EXPECT_EQ(file_bytes(path("way_0000.png")), file_bytes(path("first.png")));
+  EXPECT_EQ(file_bytes(path("way_0003.png")), file_bytes(path("last.png")));
+  EXPECT_NE(file_bytes(path("way_0001.png")), file_bytes(path("first.png")));
 }
 
 TEST_F(CameraPathCommand, TakesItsRateFromTheFileUnlessOneIsNamed) {

@@ -197,7 +197,7 @@ TEST_F(CompareCommand, RefusesIncomparableImages) {
   Image depth{20, 16, {}};
   set_channel(depth, "Z", [](int, int) { return 1.0F; });
   const std::string colourless = write_image("depth.exr", depth);
-  const std::string bytes = bytes_of(good);
+  const std::string bytes = file_bytes(good);
   std::filesystem::create_directory(path("folder"));
   const std::string bad[] = {path("missing.exr"),
                              write("empty.png", ""),
@@ -250,7 +250,7 @@ TEST_F(CompareCommand, TheResultIsTheSameEveryTime) {
   const std::string b = write_image("b.exr", model_image());
   const std::string first = compare({a, b, "--heatmap", path("1.png")}).dump();
   EXPECT_EQ(compare({a, b, "--heatmap", path("2.png")}).dump(), first);
-  EXPECT_EQ(bytes_of(path("1.png")), bytes_of(path("2.png")));
+  EXPECT_EQ(file_bytes(path("1.png")), file_bytes(path("2.png")));
 }
 
 TEST_F(CompareCommand, JudgesImagesThatReliefRendered) {

@@ -71,7 +71,7 @@ TEST_F(EndToEnd, TheFileDoesNotDependOnTheThreads) {
     for (const char* threads : {"1", "2", "4"}) {
       const std::string file = path(std::string("knot") + threads + ".relief");
       run_json({"convert", scan, "-o", file, "--threads", threads, "--codec", codec});
-      files.push_back(bytes_of(file));
+      files.push_back(file_bytes(file));
     }
     ASSERT_FALSE(files[0].empty());
     EXPECT_EQ(files[0], files[1]) << codec;
@@ -84,7 +84,7 @@ TEST_F(EndToEnd, ScansThatFitIntoMemoryAreConvertedInOnePiece) {
   run_json({"convert", scan, "-o", path("a.relief")});
   const json limited = run_json({"convert", scan, "-o", path("b.relief"), "--memory", "256M"});
   EXPECT_EQ(limited["tiles"], 1);
-  EXPECT_EQ(bytes_of(path("a.relief")), bytes_of(path("b.relief")));
+  EXPECT_EQ(file_bytes(path("a.relief")), file_bytes(path("b.relief")));
 }
 
 TEST_F(EndToEnd, LargerScansAreConvertedInTilesWithinTheMemory) {
@@ -160,7 +160,7 @@ TEST_F(EndToEnd, SeveralScansAreOne) {
   json twice = run_json({"convert", scan, scan, "-o", path("twice.relief")});
   EXPECT_EQ(twice["points"], once["points"]);
   EXPECT_EQ(twice["duplicates_merged"], once["points"]);
-  EXPECT_EQ(bytes_of(path("once.relief")), bytes_of(path("twice.relief")));
+  EXPECT_EQ(file_bytes(path("once.relief")), file_bytes(path("twice.relief")));
 }
 
 TEST_F(EndToEnd, ScansStandWhereTheirConfSays) {

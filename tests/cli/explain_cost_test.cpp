@@ -75,7 +75,7 @@ TEST_F(ExplainCost, ChangesNoImage) {
                         "--frames", "1"})
                 .exit_code,
             0);
-  EXPECT_EQ(bytes_of(path("a.png")), bytes_of(path("b.png")));
+  EXPECT_EQ(file_bytes(path("a.png")), file_bytes(path("b.png")));
 }
 
 TEST_F(ExplainCost, PrintsATable) {

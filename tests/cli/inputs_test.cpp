@@ -20,7 +20,7 @@ class InputsTest : public CliTest {
         fmt::format("R='{}'; F='{}'; {} 2> '{}'", RELIEF_PROGRAM, path(""), line, path("errors"));
     return WEXITSTATUS(std::system(command.c_str()));
   }
-  std::string errors() { return bytes_of(path("errors")); }
+  std::string errors() { return file_bytes(path("errors")); }
 
   /// A plane of ground (class 2) below one of leaves (class 5), of many points.
   std::string write_las() {
@@ -42,7 +42,7 @@ TEST_F(InputsTest, PointsAreSelectedByClassReturnAndBox) {
                                 options)),
               0)
         << errors();
-    const auto report = nlohmann::json::parse(bytes_of(path("json")));
+    const auto report = nlohmann::json::parse(file_bytes(path("json")));
     EXPECT_EQ(report["points"].get<int>() + report["points_not_selected"].get<int>(), 7200);
     return report["points"].get<int>();
   };
@@ -66,7 +66,7 @@ TEST_F(InputsTest, PointsAreSelectedByClassReturnAndBox) {
 TEST_F(InputsTest, ARasterIsConvertedAndDrawn) {
   write("grid.csv", csv_text(hills(40, 30)));
   ASSERT_EQ(shell("$R convert $F/grid.csv -o $F/grid.relief --json > $F/json"), 0) << errors();
-  const auto report = nlohmann::json::parse(bytes_of(path("json")));
+  const auto report = nlohmann::json::parse(file_bytes(path("json")));
   EXPECT_EQ(report["samples"], report["points"]);
   EXPECT_EQ(report["error_max"], 0.0);
   EXPECT_TRUE(report["psnr_db"].is_null());
@@ -84,15 +84,15 @@ TEST_F(InputsTest, PipesGiveWhatFilesGive) {
   ASSERT_EQ(shell("$R convert $F/grid.csv -o $F/file.relief > $F/out"), 0) << errors();
   ASSERT_EQ(shell("cat $F/grid.csv | $R convert - --format grid -o - > $F/pipe.relief"), 0)
       << errors();
-  EXPECT_EQ(bytes_of(path("pipe.relief")), bytes_of(path("file.relief")));
+  EXPECT_EQ(file_bytes(path("pipe.relief")), file_bytes(path("file.relief")));
   EXPECT_NE(errors().find("samples "), std::string::npos) << "the report is on standard error";
   ASSERT_EQ(shell("$R render $F/file.relief -o $F/file.png --size 64x64 > $F/out"), 0) << errors();
   ASSERT_EQ(shell("cat $F/file.relief | $R render - -o - --size 64x64 > $F/pipe.png"), 0)
       << errors();
-  EXPECT_EQ(bytes_of(path("pipe.png")), bytes_of(path("file.png")));
+  EXPECT_EQ(file_bytes(path("pipe.png")), file_bytes(path("file.png")));
   ASSERT_EQ(shell("$R export $F/file.relief -o $F/file.ply > $F/out"), 0) << errors();
   ASSERT_EQ(shell("$R export - -o - < $F/file.relief > $F/pipe.ply"), 0) << errors();
-  EXPECT_EQ(bytes_of(path("pipe.ply")), bytes_of(path("file.ply")));
+  EXPECT_EQ(file_bytes(path("pipe.ply")), file_bytes(path("file.ply")));
   ASSERT_EQ(shell("cat $F/file.relief | $R info - > $F/out"), 0) << errors();
 }
 
@@ -106,7 +106,7 @@ TEST_F(InputsTest, PipesThatCannotWorkSaySo) {
   EXPECT_EQ(shell("echo 1 2 3 | $R convert - --format xyz -o - --memory 1G > $F/out"), 2);
   // Nothing comes out after a failure.
   EXPECT_EQ(shell("echo 1 2 3 | $R convert - --format xyz -o - > $F/out"), 1);
-  EXPECT_EQ(bytes_of(path("out")), "");
+  EXPECT_EQ(file_bytes(path("out")), "");
 }
 
 }  // namespace

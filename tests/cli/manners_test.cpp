@@ -98,11 +98,11 @@ TEST(Words, ValuesThatAreWrongComeInShortMessages) {
 
 TEST_F(Manners, ConvertWritesOnlyFilesNamedRelief) {
   const std::string scan = write_knot(500);
-  const std::string before = bytes_of(scan);
+  const std::string before = file_bytes(scan);
   for (const std::string name : {"other.ply", "knot", "knot.relief.gz", "folder"}) {
     EXPECT_NE(wrong_usage({"convert", scan, "-o", path(name)}).find(".relief"), std::string::npos);
   }
-  EXPECT_EQ(bytes_of(scan), before);
+  EXPECT_EQ(file_bytes(scan), before);
   EXPECT_EQ(files(), std::vector<std::string>{"knot.ply"});
   EXPECT_EQ(run_relief({"convert", scan, "-o", path("a.RELIEF")}).exit_code, 0);
 }
@@ -122,7 +122,7 @@ TEST_F(Manners, APatchFileIsNotConvertedAgain) {
   expect_refused({"convert", path("a.relief"), "-o", path("b.relief")}, about);
   expect_refused({"convert", path("a.relief"), "-o", path("b.relief"), "--memory", "1G"}, about);
   // By its content, whatever it is named.
-  expect_refused({"convert", write("a.ply", bytes_of(path("a.relief"))), "-o", path("b.relief")},
+  expect_refused({"convert", write("a.ply", file_bytes(path("a.relief"))), "-o", path("b.relief")},
                  about);
 }
 
@@ -177,7 +177,7 @@ TEST_F(Manners, DrawnBoundsHoldTheExportedSamples) {
   ASSERT_EQ(
       run_relief({"export", path("a.relief"), "-o", path("a.obj"), "--as", "points"}).exit_code, 0);
   const json info = run_json({"info", path("a.relief")});
-  std::istringstream lines(bytes_of(path("a.obj")));
+  std::istringstream lines(file_bytes(path("a.obj")));
   std::size_t points = 0;
   const double step = info["spacing"].get<double>() / 100.0;  // an export rounds
   for (std::string word; lines >> word;) {
@@ -200,10 +200,10 @@ TEST_F(Manners, AClosedStandardOutputIsNoFullDisk) {
   expect_refused({"info", path("a.relief")}, "standard output is closed", closed);
   // No file that is opened meanwhile takes its place: the report would be written into it.
   const std::string scan = path("knot.ply");
-  const std::string before = bytes_of(path("a.relief"));
+  const std::string before = file_bytes(path("a.relief"));
   const Outcome run = run_relief({"convert", scan, "-o", path("a.relief")}, closed);
   EXPECT_EQ(run.err, "relief: standard output is closed; the result is not printed\n");
-  EXPECT_EQ(bytes_of(path("a.relief")), before);
+  EXPECT_EQ(file_bytes(path("a.relief")), before);
 }
 
 TEST_F(Manners, AReaderThatLeavesIsNoFailure) {

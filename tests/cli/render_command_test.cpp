@@ -73,7 +73,8 @@ class CommandLine : public CliTest {
     const auto rendered = render(scene_.forms(), view_, silent);
     ASSERT_TRUE(rendered) << what << ": " << rendered.error().message;
     ASSERT_TRUE(write_png(path("own.png"), rendered->image));
-    EXPECT_EQ(bytes_of(path("made.png")), bytes_of(path("own.png"))) << what << ": " << made.line;
+    EXPECT_EQ(file_bytes(path("made.png")), file_bytes(path("own.png")))
+        << what << ": " << made.line;
   }
 
   std::string file_;

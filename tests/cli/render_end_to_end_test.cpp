@@ -83,7 +83,7 @@ TEST_F(RenderEndToEnd, MultipassDrawsPatchesWithAnyRadius) {
     EXPECT_TRUE(result["interpolation"].is_null());
     EXPECT_EQ(result["radius_factor"], std::stod(factor));
     EXPECT_GT(result["covered_pixels"], 3000);
-    images.insert(bytes_of(path("knot.png")));
+    images.insert(file_bytes(path("knot.png")));
   }
   EXPECT_EQ(images.size(), 3U);
 }
@@ -124,7 +124,7 @@ TEST_F(RenderEndToEnd, RaysMeetThePatchesOfAScanWithoutTriangles) {
   json from_patches = run_json({"render", model, "-o", path("b.exr"), "--engine", "raytrace",
                                 "--samples", "2", "--size", "64x48"});
   EXPECT_GT(from_scan["covered_pixels"], 500);
-  EXPECT_EQ(bytes_of(path("a.exr")), bytes_of(path("b.exr")));
+  EXPECT_EQ(file_bytes(path("a.exr")), file_bytes(path("b.exr")));
   const auto image = read_image(path("a.exr"));
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_GT(
@@ -181,7 +181,7 @@ TEST_F(RenderEndToEnd, EveryMaterialAndPrimitiveDraws) {
             run_json({"render", model, "-o", image, "--size", "160x128", "--material", material,
                       "--primitive", primitive, "--interpolation", interpolation});
         EXPECT_GT(result["covered_pixels"], 3000) << material << primitive << interpolation;
-        images.insert(bytes_of(image));
+        images.insert(file_bytes(image));
       }
     }
   }
@@ -228,7 +228,7 @@ TEST_F(RenderEndToEnd, TheImageDoesNotDependOnLlvmpipesThreads) {
     RunOptions options;
     options.environment = {{"LP_NUM_THREADS", threads}};
     run_json({"render", model, "-o", image, "--size", "320x256", "--orbit", "-20,15"}, options);
-    images.push_back(bytes_of(image));
+    images.push_back(file_bytes(image));
   }
   ASSERT_FALSE(images[0].empty());
   EXPECT_EQ(images[0], images[1]);

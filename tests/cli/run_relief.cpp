@@ -157,7 +157,7 @@ void CliTest::expect_refused(const std::vector<std::string>& arguments, const st
   EXPECT_EQ(files(), before) << "a file was made, lost or left";
 }
 
-std::string bytes_of(const std::string& path) {
+std::string file_bytes(const std::string& path) {
   std::ostringstream bytes;
   bytes << std::ifstream(path, std::ios::binary).rdbuf();
   return bytes.str();

@@ -59,6 +59,6 @@ class CliTest : public testing::Test {
 };
 
 /// The bytes of a file; empty if there is none.
-std::string bytes_of(const std::string& path);
+std::string file_bytes(const std::string& path);
 
 }  // namespace relief::test

@@ -82,8 +82,8 @@ TEST_F(SceneCommand, AModelOfASceneLooksLikeTheModel) {
   const json result = run_json(with_scene);
   EXPECT_EQ(result["views"].size(), 1U);  // also with one view
   EXPECT_TRUE(run_json(alone).contains("engine"));
-  ASSERT_FALSE(bytes_of(path("alone.exr")).empty());
-  EXPECT_EQ(bytes_of(path("scene.exr")), bytes_of(path("alone.exr")));
+  ASSERT_FALSE(file_bytes(path("alone.exr")).empty());
+  EXPECT_EQ(file_bytes(path("scene.exr")), file_bytes(path("alone.exr")));
 }
 
 TEST_F(SceneCommand, AnOrthographicViewIsAsByItsOption) {
@@ -94,11 +94,11 @@ TEST_F(SceneCommand, AnOrthographicViewIsAsByItsOption) {
   run_json({"render", scene, "-o", path("all_{view}.exr"), "--orthographic", "fit"});
   run_json({"render", path("knot.relief"), "-o", path("alone.exr"), "--size", "80x64",
             "--orthographic", "fit"});
-  ASSERT_FALSE(bytes_of(path("a.exr")).empty());
-  EXPECT_EQ(bytes_of(path("a.exr")), bytes_of(path("alone.exr")));
-  EXPECT_EQ(bytes_of(path("all_a.exr")), bytes_of(path("alone.exr")));
-  EXPECT_EQ(bytes_of(path("all_b.exr")), bytes_of(path("alone.exr")));
-  EXPECT_NE(bytes_of(path("b.exr")), bytes_of(path("a.exr")));
+  ASSERT_FALSE(file_bytes(path("a.exr")).empty());
+  EXPECT_EQ(file_bytes(path("a.exr")), file_bytes(path("alone.exr")));
+  EXPECT_EQ(file_bytes(path("all_a.exr")), file_bytes(path("alone.exr")));
+  EXPECT_EQ(file_bytes(path("all_b.exr")), file_bytes(path("alone.exr")));
+  EXPECT_NE(file_bytes(path("b.exr")), file_bytes(path("a.exr")));
 }
 
 TEST_F(SceneCommand, ModelsStandWhereTheirTransformsPutThem) {
@@ -118,7 +118,7 @@ TEST_F(SceneCommand, ModelsStandWhereTheirTransformsPutThem) {
 }
 
 TEST_F(SceneCommand, TheSampleSceneIsDrawn) {
-  write("suite.json", bytes_of(std::string(RELIEF_SOURCE_DIR) + "/models/dragon_views.json"));
+  write("suite.json", file_bytes(std::string(RELIEF_SOURCE_DIR) + "/models/dragon_views.json"));
   std::filesystem::rename(path("knot.relief"), path("dragon.relief"));
   const json result =
       run_json({"render", path("suite.json"), "-o", path("{view}.png"), "--size", "32x32"});
@@ -136,10 +136,10 @@ TEST_F(SceneCommand, ModelsHaveMaterialsOfTheirOwnUnlessAnOptionSaysOtherwise) {
   EXPECT_EQ(views[0]["material"], "lit+glass");
   EXPECT_EQ(views[1]["material"], "mirror+glass");
   EXPECT_EQ(views[2]["material"], "glass");
-  EXPECT_NE(bytes_of(path("a.png")), bytes_of(path("b.png")));
+  EXPECT_NE(file_bytes(path("a.png")), file_bytes(path("b.png")));
   const json over = run_json({"render", scene, "-o", path("{view}.png"), "--material", "unlit"});
   for (const json& view : over["views"]) EXPECT_EQ(view["material"], "unlit");
-  EXPECT_EQ(bytes_of(path("a.png")), bytes_of(path("b.png")));
+  EXPECT_EQ(file_bytes(path("a.png")), file_bytes(path("b.png")));
 }
 
 TEST_F(SceneCommand, ExposureIsOfPngsAlone) {
@@ -168,11 +168,11 @@ TEST_F(SceneCommand, ExposureIsOfPngsAlone) {
   const std::string scene = write("exposed.json", scene_of("knot.relief", R"(, "exposure": 3)"));
   run_json({"render", scene, "-o", path("{view}.exr"), "--size", "48x48"});
   run_json({"render", path("knot.relief"), "-o", path("plain.exr"), "--size", "48x48"});
-  EXPECT_EQ(bytes_of(path("a.exr")), bytes_of(path("plain.exr")));
+  EXPECT_EQ(file_bytes(path("a.exr")), file_bytes(path("plain.exr")));
 }
 
 TEST_F(SceneCommand, TheExampleOfTheDocumentationIsValid) {
-  const std::string page = bytes_of(std::string(RELIEF_SOURCE_DIR) + "/docs/scene.md");
+  const std::string page = file_bytes(std::string(RELIEF_SOURCE_DIR) + "/docs/scene.md");
   const std::size_t begin = page.find("```json\n") + 8;
   const auto scene =
       plan_scene(write("page.json", page.substr(begin, page.find("```", begin) - begin)), {});

@@ -79,7 +79,7 @@ TEST_F(SeamsCommand, DoNotDependOnThreads) {
   const std::string scan = write_knot(5000);
   for (const std::string threads : {"1", "3"})
     run_json({"convert", scan, "-o", path(threads + ".relief"), "--seams", "--threads", threads});
-  EXPECT_EQ(bytes_of(path("1.relief")), bytes_of(path("3.relief")));
+  EXPECT_EQ(file_bytes(path("1.relief")), file_bytes(path("3.relief")));
 }
 
 TEST_F(SeamsCommand, ExcludeMargins) {

@@ -239,9 +239,10 @@ TEST_F(VolumeCommand, WhatCanNotBeDrawnIsOneSentence) {
   expect_no_image(ball, {"--transfer", write("bad.json", "{\"colour\": 1}")}, "bad.json: colour");
   expect_no_image(ball, {"--engine", "onepass"}, "which engine onepass can't draw");
   expect_no_image(ball, {"--engine", "volume-truth", "--iso", "50"}, "use --truth field");
-  expect_no_image(write("cut.nrrd", bytes_of(ball).substr(0, 400)), {}, "cut.nrrd");
+  expect_no_image(write("cut.nrrd", file_bytes(ball).substr(0, 400)), {}, "cut.nrrd");
   expect_no_image(write("voxels.bin", "12345"), {"--raw", "3x4x5:u8"}, "voxels.bin");
-  expect_no_image(write("short.ply", bytes_of(write_gaussians()).substr(0, 700)), {}, "short.ply");
+  expect_no_image(write("short.ply", file_bytes(write_gaussians()).substr(0, 700)), {},
+                  "short.ply");
   expect_no_image(
       write("two.json", R"({"models": [{"file": "ball.nrrd"}, {"file": "gaussians.ply"}],
       "views": [{"name": "a"}]})"),

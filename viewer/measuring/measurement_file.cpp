@@ -58,7 +58,7 @@ std::string value_fields(const std::vector<MeasuredValue>& values) {
 }  // namespace
 
 std::string measurements_as_json(std::span<const Measurement> measurements,
-                                 const MeasuredModel& model) {
+                                 const MeasurementSource& model) {
   Json list = Json::array();
   for (const Measurement& measurement : measurements) {
     if (!is_complete(measurement)) continue;
@@ -78,7 +78,7 @@ std::string measurements_as_json(std::span<const Measurement> measurements,
 }
 
 std::string measurements_as_csv(std::span<const Measurement> measurements,
-                                const MeasuredModel& model) {
+                                const MeasurementSource& model) {
   std::string table =
       "measurement,name,kind,point,x,y,z,normal_x,normal_y,normal_z,red,green,blue,patch";
   for (const std::string_view name : kValueNames) table += fmt::format(",{}", name);
@@ -105,7 +105,8 @@ std::string measurements_as_csv(std::span<const Measurement> measurements,
 }
 
 Status write_measurements(const std::filesystem::path& path,
-                          std::span<const Measurement> measurements, const MeasuredModel& model) {
+                          std::span<const Measurement> measurements,
+                          const MeasurementSource& model) {
   const std::string kind = lower_extension(path);
   if (kind != ".json" && kind != ".csv") {
     return make_error("{}: measurements are written as .json or .csv; choose one of these",

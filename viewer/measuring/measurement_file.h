@@ -12,7 +12,7 @@
 namespace relief {
 
 /// What measurements were made of.
-struct MeasuredModel {
+struct MeasurementSource {
   std::string file;              ///< as the user names it; UTF-8
   glm::dvec3 up{0.0, 1.0, 0.0};  ///< as in values_of()
 };
@@ -22,17 +22,18 @@ struct MeasuredModel {
 /// 255, or null. Incomplete measurements are left out. `name` is of UTF-8, or what is not becomes
 /// U+FFFD.
 [[nodiscard]] std::string measurements_as_json(std::span<const Measurement> measurements,
-                                               const MeasuredModel& model);
+                                               const MeasurementSource& model);
 
 /// Returns a table with a header and a row per point (RFC 4180, lines end in \n): number and name
 /// of the measurement, kind, number of the point, x, y, z, normal, colour, patch, and in the row of
 /// the first point what was measured. Fields that do not apply are empty.
 [[nodiscard]] std::string measurements_as_csv(std::span<const Measurement> measurements,
-                                              const MeasuredModel& model);
+                                              const MeasurementSource& model);
 
 /// Writes a .json or a .csv file, atomically. Fails at any other extension and as
 /// write_file_atomically() does.
 Status write_measurements(const std::filesystem::path& path,
-                          std::span<const Measurement> measurements, const MeasuredModel& model);
+                          std::span<const Measurement> measurements,
+                          const MeasurementSource& model);
 
 }  // namespace relief

@@ -118,8 +118,8 @@ void write_list(const char* extension, const PanelContext& panel) {
   Session& session = panel.session;
   std::filesystem::path path = path_in(panel.state.measurements, session);
   path.replace_extension(extension);
-  const MeasuredModel model{session.document.files().front().string(),
-                            session.navigator.stance().up};
+  const MeasurementSource model{session.document.files().front().string(),
+                                session.navigator.stance().up};
   const Status written = write_measurements(path, session.measuring.list(), model);
   add_message(session,
               written ? fmt::format("{}: written", path.string()) : written.error().message,

@@ -84,7 +84,7 @@ class NodeJudge {
   }
 
   /// What a node within the region's support becomes.
-  NodeState judge(std::size_t node, SurfacePoint& surface) {
+  NodeState judge(std::size_t node, MlsPoint& surface) {
     Spot spot = spot_at(node, surface);
     const std::optional<Crease> crease =
         around_.creases != nullptr ? around_.creases->near(spot.position, spot.side) : std::nullopt;
@@ -100,7 +100,7 @@ class NodeJudge {
   }
 
   /// What a node of the margin becomes where other tiles may be.
-  NodeState judge_margin(std::size_t node, const SurfacePoint& surface) {
+  NodeState judge_margin(std::size_t node, const MlsPoint& surface) {
     const Votes votes = count_votes(spot_at(node, surface));
     return votes.tiles > votes.others ? NodeState::Margin : NodeState::Hole;
   }
@@ -119,7 +119,7 @@ class NodeJudge {
     double nearest = std::numeric_limits<double>::max();  ///< squared distance
   };
 
-  [[nodiscard]] Spot spot_at(std::size_t node, const SurfacePoint& surface) const {
+  [[nodiscard]] Spot spot_at(std::size_t node, const MlsPoint& surface) const {
     const std::size_t row = node / grid_.width;
     return {{grid_.x0 + static_cast<double>(node % grid_.width) * grid_.spacing,
              grid_.y0 + static_cast<double>(row) * grid_.spacing, surface.height},
@@ -127,8 +127,8 @@ class NodeJudge {
   }
 
   /// Moves a node to the surface of its side of a crease; false if it overhangs the other one.
-  [[nodiscard]] bool stand_beside(const Crease& crease, SurfacePoint& surface, Spot& spot) const {
-    const std::optional<SurfacePoint> on_side = evaluate_mls_beside_crease(
+  [[nodiscard]] bool stand_beside(const Crease& crease, MlsPoint& surface, Spot& spot) const {
+    const std::optional<MlsPoint> on_side = evaluate_mls_beside_crease(
         around_.creases->points(), around_.creases->own(), around_.all, spot.position,
         kSideReach * std::max(grid_.spacing, widest_), crease.own.normal, grid_.spacing);
     if (on_side && is_sound(*on_side, crease.own, spot.position)) {
@@ -141,7 +141,7 @@ class NodeJudge {
     return !moved || moved->distance >= -kOverhangAtCrease * grid_.spacing;
   }
 
-  [[nodiscard]] bool is_sound(const SurfacePoint& fit, const CreaseSide& side,
+  [[nodiscard]] bool is_sound(const MlsPoint& fit, const CreaseSide& side,
                               glm::dvec3 position) const {
     if (std::abs(fit.height - position.z) <= kSureShift * grid_.spacing) return true;
     const glm::dvec3 d = glm::dvec3(position.x, position.y, fit.height) - side.middle;
@@ -181,7 +181,7 @@ class NodeJudge {
 }  // namespace
 
 void drop_foreign_nodes(const PatchSurroundings& around, const PatchGrid& grid,
-                        std::vector<SurfacePoint>& surface, std::vector<NodeState>& states) {
+                        std::vector<MlsPoint>& surface, std::vector<NodeState>& states) {
   const std::vector<std::uint8_t> is_near_border = near_border(states, grid);
   const bool keeps_margins = std::ranges::any_of(
       around.points.ids, [&](std::uint32_t id) { return id >= around.of_others; });

@@ -27,6 +27,6 @@ struct PatchSurroundings {
 /// sheet become holes, too. Over other tiles the margin stays Margin. The heights of nodes that
 /// stay beside a crease become those of their side alone. `surface`: parallel to `states`.
 void drop_foreign_nodes(const PatchSurroundings& around, const PatchGrid& grid,
-                        std::vector<SurfacePoint>& surface, std::vector<NodeState>& states);
+                        std::vector<MlsPoint>& surface, std::vector<NodeState>& states);
 
 }  // namespace relief

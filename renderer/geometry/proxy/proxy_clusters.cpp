@@ -27,8 +27,8 @@ std::uint32_t CubeGrid::add(const Cluster& finer) {
 }
 
 std::uint32_t CubeGrid::find(glm::dvec3 low, const Cluster& finer) {
-  const Cube cube{static_cast<std::int64_t>(low.x), static_cast<std::int64_t>(low.y),
-                  static_cast<std::int64_t>(low.z)};
+  const ProxyCube cube{static_cast<std::int64_t>(low.x), static_cast<std::int64_t>(low.y),
+                       static_cast<std::int64_t>(low.z)};
   const auto added = static_cast<std::uint32_t>(clusters_.size());
   std::uint32_t number = firsts_.try_emplace(cube, added).first->second;
   std::uint32_t last = kNoMaterial;

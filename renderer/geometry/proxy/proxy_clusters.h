@@ -14,16 +14,16 @@
 namespace relief {
 
 /// A cube of the grid.
-struct Cube {
+struct ProxyCube {
   std::int64_t x = 0;
   std::int64_t y = 0;
   std::int64_t z = 0;
 
-  bool operator==(const Cube&) const = default;
+  bool operator==(const ProxyCube&) const = default;
 };
 
-struct CubeHash {
-  std::size_t operator()(const Cube& cube) const {
+struct ProxyCubeHash {
+  std::size_t operator()(const ProxyCube& cube) const {
     std::uint64_t hash = 0;
     for (const std::int64_t value : {cube.x, cube.y, cube.z}) {
       hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
@@ -59,7 +59,7 @@ class CubeGrid {
   std::uint32_t find(glm::dvec3 low, const Cluster& finer);
 
   double spacing_;
-  std::unordered_map<Cube, std::uint32_t, CubeHash> firsts_;
+  std::unordered_map<ProxyCube, std::uint32_t, ProxyCubeHash> firsts_;
   std::vector<Cluster> clusters_;
 };
 

@@ -29,7 +29,7 @@ class QualityOption : public CliTest {
     std::vector<std::string> arguments{"convert", scan_, "-o", path("out.relief")};
     arguments.insert(arguments.end(), options.begin(), options.end());
     EXPECT_EQ(run_relief(arguments).exit_code, 0);
-    return bytes_of(path("out.relief"));
+    return file_bytes(path("out.relief"));
   }
 
   json rendered(const std::string& scene, const std::vector<std::string>& options) {
@@ -47,9 +47,9 @@ TEST_F(QualityOption, BalancedIsTheDefault) {
   EXPECT_EQ(converted({"--quality", "balanced"}), usual);
   EXPECT_LT(converted({"--quality", "draft"}).size(), usual.size() / 2);
   const json plain = rendered(path("out.relief"), {});
-  const std::string picture = bytes_of(path("out.png"));
+  const std::string picture = file_bytes(path("out.png"));
   const json balanced = rendered(path("out.relief"), {"--quality", "balanced"});
-  EXPECT_EQ(bytes_of(path("out.png")), picture);
+  EXPECT_EQ(file_bytes(path("out.png")), picture);
   EXPECT_EQ(balanced["samples"], plain["samples"]);
 }
 
@@ -94,9 +94,9 @@ TEST_F(QualityOption, AScanIsConvertedWithIt) {
   // The picture is that of the converted file, but for the compact codec's rounding: the draft has
   // fewer samples, so that it is not the default's picture.
   (void)rendered(scan_, {"--samples", "1", "--pixels-per-sample", "0"});
-  const std::string usual = bytes_of(path("out.png"));
+  const std::string usual = file_bytes(path("out.png"));
   (void)rendered(scan_, {"--samples", "1", "--pixels-per-sample", "0", "--quality", "draft"});
-  EXPECT_NE(bytes_of(path("out.png")), usual);
+  EXPECT_NE(file_bytes(path("out.png")), usual);
 }
 
 TEST_F(QualityOption, RefusesOtherNames) {

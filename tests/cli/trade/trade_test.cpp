@@ -43,7 +43,7 @@ TEST_F(TradeCommand, WritesAPageThatNeedsNothingElse) {
   const std::string scan = write_knot(3000);
   const json report = report_of(
       run_relief(trade(scan, {"--ask", "best under 1e9 ms", "--ask", "smallest at 500 dB"})));
-  const std::string page = bytes_of(path("page.html"));
+  const std::string page = file_bytes(path("page.html"));
   EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
   for (const char* outside : {"http:", "https:", "src=", "@import", "url(", "<link"})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;

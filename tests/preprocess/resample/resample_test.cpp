@@ -90,7 +90,7 @@ TEST(Mls, ReproducesAQuadricExactly) {
   const PatchPoints points = collect_patch_points(scan.samples(), scan.graph, all, {}, 0.0);
   const PointGrid lookup(points, points.size(), kStep);
   for (const glm::dvec2 at : {glm::dvec2(0, 0), glm::dvec2(0.13, -0.21), glm::dvec2(-0.3, 0.3)}) {
-    const SurfacePoint surface = evaluate_mls(points, lookup, lookup, at.x, at.y, kStep, true);
+    const MlsPoint surface = evaluate_mls(points, lookup, lookup, at.x, at.y, kStep, true);
     const glm::dvec3 world =
         points.frame.origin + points.frame.axes * glm::dvec3(at.x, at.y, surface.height);
     // The ridge of 0.2 % on the second order is all that is left: curvature 1 over one spacing is
@@ -119,7 +119,7 @@ TEST(Mls, AWallFarBelowThatIsSeenEdgeOnIsNoEstimate) {
   const PointGrid supporting(points, points.supporting, kStep);
   const PointGrid all(points, points.size(), kStep);
   for (double y = -3.0; y <= 3.0; y += 0.25) {
-    const SurfacePoint surface =
+    const MlsPoint surface =
         evaluate_mls(points, supporting, all, 0.5 * kStep, y * kStep, kStep, true);
     EXPECT_NEAR(surface.height, 0.0, 1e-9) << y;
     EXPECT_GT(surface.fitted_normal.z, 0.999999F) << y;
@@ -139,7 +139,7 @@ PatchPoints points_at(const std::vector<glm::dvec3>& positions, glm::vec3 normal
   return points;
 }
 
-SurfacePoint fit_at_origin(const PatchPoints& points) {
+MlsPoint fit_at_origin(const PatchPoints& points) {
   const PointGrid grid(points, points.size(), kStep);
   return evaluate_mls(points, grid, grid, 0.0, 0.0, kStep, false);
 }
@@ -153,11 +153,11 @@ TEST(Mls, TellsHowWellPointsBearAFit) {
     for (int j = -5; j <= 5; ++j) sheet.emplace_back(i, j, 0.0);
     for (int j = 1; j <= 5; ++j) beside.emplace_back(j, i, 0.0);
   }
-  const SurfacePoint on_sheet = fit_at_origin(points_at(sheet));
+  const MlsPoint on_sheet = fit_at_origin(points_at(sheet));
   EXPECT_FALSE(on_sheet.is_replaced);
   EXPECT_LT(on_sheet.condition, 100.0);
   // Ridges of a millionth bound it.
-  const SurfacePoint on_line = fit_at_origin(points_at(line));
+  const MlsPoint on_line = fit_at_origin(points_at(line));
   EXPECT_FALSE(on_line.is_replaced);
   EXPECT_GT(on_line.condition, 1e5);
   EXPECT_LT(on_line.condition, 1e7);

@@ -181,7 +181,7 @@ TEST(MeasurementFile, IsWrittenByItsExtension) {
   const auto folder = std::filesystem::temp_directory_path() / "relief_measurement_test";
   std::filesystem::create_directories(folder);
   const auto measurements = awkward_measurements();
-  const MeasuredModel model{"a.ply", {0, 1, 0}};
+  const MeasurementSource model{"a.ply", {0, 1, 0}};
   ASSERT_TRUE(write_measurements(folder / "m.JSON", measurements, model));
   std::ifstream file(folder / "m.JSON");
   EXPECT_TRUE(nlohmann::json::accept(file));

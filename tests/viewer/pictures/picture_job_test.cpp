@@ -52,7 +52,7 @@ class Picture : public CliTest {
     Progress silent;
     const Status made = make_picture(request, silent);
     ASSERT_TRUE(made) << made.error().message;
-    const std::string own = bytes_of(request.file.string());
+    const std::string own = file_bytes(request.file.string());
     ASSERT_FALSE(own.empty());
     CommandedImage image;
     image.output = path("command" + request.file.extension().string());
@@ -62,7 +62,7 @@ class Picture : public CliTest {
     EXPECT_TRUE(command->missing.empty());
     const std::string line = RELIEF_PROGRAM + command->line.substr(sizeof "relief" - 1);
     ASSERT_EQ(std::system((line + " >/dev/null").c_str()), 0) << line;  // NOLINT: as a user does
-    EXPECT_EQ(own, bytes_of(image.output.string())) << line;
+    EXPECT_EQ(own, file_bytes(image.output.string())) << line;
   }
 };
 
@@ -115,9 +115,9 @@ TEST_F(Picture, FilmAsNumberedFrames) {
   Progress silent;
   const Status made = make_picture(request, silent);
   ASSERT_TRUE(made) << made.error().message;
-  EXPECT_FALSE(bytes_of(path("film_0000.png")).empty());
-  EXPECT_EQ(bytes_of(path("film_0000.png")), bytes_of(path("film_0002.png")));
-  EXPECT_NE(bytes_of(path("film_0000.png")), bytes_of(path("film_0001.png")));
+  EXPECT_FALSE(file_bytes(path("film_0000.png")).empty());
+  EXPECT_EQ(file_bytes(path("film_0000.png")), file_bytes(path("film_0002.png")));
+  EXPECT_NE(file_bytes(path("film_0000.png")), file_bytes(path("film_0001.png")));
 }
 
 TEST_F(Picture, InTheBackgroundAndCancelled) {
@@ -133,7 +133,7 @@ TEST_F(Picture, InTheBackgroundAndCancelled) {
   const auto made = wait(whole);
   ASSERT_TRUE(made);
   EXPECT_TRUE(*made);
-  EXPECT_FALSE(bytes_of(path("film.png")).empty());
+  EXPECT_FALSE(file_bytes(path("film.png")).empty());
   request.is_film = true;
   request.views.resize(2000, request.views.front());
   PictureJob job(request);
@@ -141,7 +141,7 @@ TEST_F(Picture, InTheBackgroundAndCancelled) {
   const auto cancelled = wait(job);
   ASSERT_TRUE(cancelled);
   EXPECT_FALSE(*cancelled);
-  EXPECT_TRUE(bytes_of(path("film_1999.png")).empty());
+  EXPECT_TRUE(file_bytes(path("film_1999.png")).empty());
 }
 
 TEST_F(Picture, NamesAndFailures) {
