@@ -26,7 +26,7 @@ class ViewerWindow:
     def __init__(self, display, relief, arguments, folder, size):
         self.display = display
         self.patience = 60.0  # seconds that coming to rest may take
-        folder = pathlib.Path(folder)
+        folder = pathlib.Path(folder).resolve()  # a relative XDG_CONFIG_HOME does not count
         settings = folder / "config" / "relief" / "viewer.json"
         settings.parent.mkdir(parents=True, exist_ok=True)
         settings.write_text(json.dumps({"window": size, "sections": {s: s == "Look" for s in SECTIONS}}))
