@@ -74,6 +74,7 @@ def fly(arguments, work, display):
     memory, stills, moves = [], [], 0
     try:
         window.patience = 600.0  # a large --gpu-memory is filled first
+        window.rest_seconds = 1.0  # on a busy machine tiles still arrived after 0.4 s of silence
         window.rest()
         print(f"at rest {megabytes(window.process.pid, 'VmRSS'):.0f} MB, "
               f"peak {megabytes(window.process.pid, 'VmHWM'):.0f} MB while the first view was read", flush=True)

@@ -17,7 +17,7 @@ PANEL_WIDTH = 336  # panels/side_panel.cpp: kPanelWidth
 STATUS_HEIGHT = 24  # panels/status_bar.cpp: a frame's height, 21 with the font that Debian has
 SECTIONS = ("Files", "Views", "Look", "Light", "Drawing", "Compare")
 
-REST_SECONDS = 0.2
+REST_SECONDS = 0.2  # of a window that draws and computes nothing
 
 
 class ViewerWindow:
@@ -26,6 +26,7 @@ class ViewerWindow:
     def __init__(self, display, relief, arguments, folder, size):
         self.display = display
         self.patience = 60.0  # seconds that coming to rest may take
+        self.rest_seconds = REST_SECONDS
         folder = pathlib.Path(folder).resolve()  # a relative XDG_CONFIG_HOME does not count
         settings = folder / "config" / "relief" / "viewer.json"
         settings.parent.mkdir(parents=True, exist_ok=True)
@@ -119,7 +120,7 @@ class ViewerWindow:
             now = time.monotonic()
             if size != seen or self.is_working():
                 quiet_since, seen = now, size
-            elif seen > 0 and now - quiet_since > REST_SECONDS:
+            elif seen > 0 and now - quiet_since > self.rest_seconds:
                 return
             time.sleep(0.02)
         raise RuntimeError(f"the window does not come to rest in {self.patience} s")
