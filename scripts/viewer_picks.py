@@ -4,11 +4,13 @@
     scripts/viewer_picks.py build/release/cli/relief lone-star.relief --points lone-star.las
 
 In each of some random views a polyline is clicked (Xvfb, xdotool) and written as JSON: pixels anywhere on the
-surface, then pixels whose neighbour lies far behind them. A pick must lie where the picture's depth is, as
-`relief render` draws it: "behind" is beyond it. Where the engine `raytrace` sees the same surface, the pick's error is
-its distance from where the ray through the pixel's middle meets that. Elsewhere, on trees and at outlines, the drawn
-level of detail is coarser than the ray tracer's. With --points, also the distance from the plane of the eight nearest
-points, and how far these lie from it themselves. Needs NumPy; --points needs SciPy and laspy.
+surface, then pixels whose neighbour lies at least 20 pixels behind them. A pick must lie where the picture's depth is,
+as `relief render` draws it. It lies on something else behind that if it is farther by half of those 20 pixels and
+by a spacing: at close quarters pixels are much smaller than the spacing, from afar much larger. Where the engine
+`raytrace` sees the same surface, the pick's error is its distance from where the ray through the pixel's middle
+meets that. Elsewhere, on trees and at outlines, the drawn level of detail is coarser than the ray tracer's. With
+--points, also the distance from the plane of the eight nearest points, and how far these lie from it themselves.
+Needs NumPy; --points needs SciPy and laspy.
 """
 import argparse
 import json
@@ -26,7 +28,7 @@ from virtual_display import VirtualDisplay
 BUTTON = (64, 71, 82)  # viewer/window/gui.cpp: ImGuiCol_Button
 BUTTON_MIDDLES = (276, 62)  # from the right: of the first and of the third button of a row
 FAR = 20.0  # pixels: how far behind a pixel the neighbour beyond an edge lies
-BEHIND = 2.0  # pixels
+BEHIND = FAR / 2.0  # pixels
 SAME = 0.1  # pixels along the ray between two pictures of one surface; coarser levels of detail are farther
 PATIENCE = 600.0  # seconds that coming to rest may take
 
@@ -69,6 +71,10 @@ class View:
         far = numpy.abs(numpy.array(pixels) - place).max(axis=1)
         return pixels[int(far.argmin())]
 
+    def pixel_at(self, pixel):
+        """The size of a pixel where it is drawn, in the file's unit."""
+        return self.pixel * self.drawn[pixel[1], pixel[0]]
+
     def pixels_behind(self, positions, pixels, depths):
         """How far positions lie behind these depths of their pixels, in pixels."""
         return numpy.array([(self.depth_of(position) / depths[y, x] - 1.0) / self.pixel
@@ -102,7 +108,7 @@ def random_views(options, display, rng, work):
     """The first view and some that a hand leads to, and the picture's size."""
     window = ViewerWindow(display, options.relief, [options.file], work, WINDOW)
     try:
-        window.patience = PATIENCE
+        window.patience, window.rest_seconds = PATIENCE, 1.0  # on a busy machine 0.4 s of silence came before the end
         window.rest()
         hand = Hand(window, rng)
         for number in range(options.views):
@@ -130,7 +136,7 @@ def clicked(options, display, camera, pixels, work):
     file.unlink(missing_ok=True)
     window = ViewerWindow(display, options.relief, [options.file, *camera_words(camera)], work, WINDOW)
     try:
-        window.patience = PATIENCE
+        window.patience, window.rest_seconds = PATIENCE, 1.0  # on a busy machine 0.4 s of silence came before the end
         window.rest()
         window.key("m")
         click_button(window, 1, 0)  # Polyline
@@ -159,10 +165,21 @@ def plane_distances(points, picks):
     return numpy.array(distances), numpy.array(residuals)
 
 
+def spacing_of(options):
+    words = [str(options.relief), "info", options.file, "--json"]
+    return json.loads(subprocess.run(words, check=True, capture_output=True, text=True).stdout)["spacing"]
+
+
+def summary(values):
+    sizes = numpy.abs(values)
+    return f"{numpy.median(sizes):.2g}, {numpy.percentile(sizes, 95):.2g}, {sizes.max():.2g}"
+
+
 def report(options, picks, errors, behind):
-    """`behind`: of all picks. `picks`, `errors`: where both pictures show one surface."""
-    print(f"{len(behind)} picks: {(behind > BEHIND).sum()} lie more than {BEHIND} pixels behind what is drawn, "
-          f"{(behind < -BEHIND).sum()} in front")
+    """`behind`: of all picks, in pixels and in spacings. `picks`, `errors`: where both pictures show one surface."""
+    pixels, spacings = behind.T
+    print(f"{len(behind)} picks: {((pixels > BEHIND) & (spacings > 1.0)).sum()} lie on what is behind; median, p95 and "
+          f"most of what is between picks and the picture: {summary(pixels)} pixels, {summary(spacings)} spacings")
     print(f"{len(errors)} picks where the ray tracer sees the same surface: {numpy.median(errors):.2g} from it "
           f"(median), {numpy.percentile(errors, 95):.2g} (p95), {errors.max():.2g} at most")
     if not options.points:
@@ -189,6 +206,7 @@ def main():
     options.relief = options.relief.resolve()
     work = options.work.resolve()
     work.mkdir(parents=True, exist_ok=True)
+    spacing = spacing_of(options)
     display = VirtualDisplay(work)
     rng = random.Random(options.seed)
     picks, errors, everywhere = [], [], []
@@ -207,7 +225,7 @@ def main():
                 far = numpy.linalg.norm(found - [view.point(x, y) for x, y in hit], axis=1)[is_same]
                 print(f"view {number + 1}, {kind}: {len(pixels)} clicks, {len(found)} picks; {steps.min():.1f} to "
                       f"{steps.max():.1f} pixels behind what is drawn", flush=True)
-                everywhere += list(steps)
+                everywhere += list(numpy.column_stack([steps, steps * [view.pixel_at(p) / spacing for p in hit]]))
                 errors += list(far)
                 picks += list(found[is_same])
     finally:
