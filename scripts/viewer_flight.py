@@ -68,14 +68,24 @@ class Hand:
             self.window.act("keydown", "w", "sleep", 0.5 + self.rng.random(), "keyup", "w")
 
 
+def open_window(arguments, words, work, display):
+    """A window on a file, at rest."""
+    window = ViewerWindow(display, arguments.relief, [arguments.file, *words], work, WINDOW)
+    window.patience = 600.0  # a large --gpu-memory is filled first
+    window.rest_seconds = 1.0  # on a busy machine tiles still arrived after 0.4 s of silence
+    try:
+        window.rest()
+    except BaseException:
+        window.close()
+        raise
+    return window
+
+
 def fly(arguments, work, display):
     """Returns the stills' names with their cameras, and the picture's size."""
-    window = ViewerWindow(display, arguments.relief, [arguments.file, *arguments.options], work, WINDOW)
+    window = open_window(arguments, arguments.options, work, display)
     memory, stills, moves = [], [], 0
     try:
-        window.patience = 600.0  # a large --gpu-memory is filled first
-        window.rest_seconds = 1.0  # on a busy machine tiles still arrived after 0.4 s of silence
-        window.rest()
         print(f"at rest {megabytes(window.process.pid, 'VmRSS'):.0f} MB, "
               f"peak {megabytes(window.process.pid, 'VmHWM'):.0f} MB while the first view was read", flush=True)
         hand = Hand(window, random.Random(arguments.seed))
@@ -109,12 +119,17 @@ def cameras_of(work):
     return settings["bookmarks"][0]["views"]
 
 
-def render(arguments, camera, size, path):
-    words = [str(arguments.relief), "render", arguments.file, "-o", str(path), "--size", f"{size[0]}x{size[1]}",
-             "--fov", str(camera["fov"])]
+def camera_words(camera):
+    words = ["--fov", str(camera["fov"])]
     for key in ("eye", "target", "up"):
         words += [f"--{key}", ",".join(repr(v) for v in camera[key])]
-    subprocess.run(words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return words
+
+
+def render(arguments, camera, size, path, *words):
+    subprocess.run([str(arguments.relief), "render", arguments.file, "-o", str(path), "--size",
+                    f"{size[0]}x{size[1]}", *camera_words(camera), *words],
+                   check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def compare(shown, truth):

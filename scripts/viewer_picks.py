@@ -21,8 +21,8 @@ import subprocess
 import numpy
 
 from read_exr import read_exr
-from viewer_flight import WINDOW, Hand, cameras_of
-from viewer_window import STATUS_HEIGHT, ViewerWindow, middles_of
+from viewer_flight import Hand, camera_words, cameras_of, open_window, render
+from viewer_window import STATUS_HEIGHT, middles_of
 from virtual_display import VirtualDisplay
 
 BUTTON = (64, 71, 82)  # viewer/window/gui.cpp: ImGuiCol_Button
@@ -30,7 +30,6 @@ BUTTON_MIDDLES = (276, 62)  # from the right: of the first and of the third butt
 FAR = 20.0  # pixels: how far behind a pixel the neighbour beyond an edge lies
 BEHIND = FAR / 2.0  # pixels
 SAME = 0.1  # pixels along the ray between two pictures of one surface; coarser levels of detail are farther
-PATIENCE = 600.0  # seconds that coming to rest may take
 
 
 class View:
@@ -45,14 +44,12 @@ class View:
         self.above = numpy.cross(self.right, self.ahead)
         self.size = size
         self.pixel = 2.0 * numpy.tan(numpy.radians(camera["fov"]) / 2.0) / size[1]  # at distance 1
-        self.traced, self.drawn = (self.render(options, camera, engine, work) for engine in ("raytrace", "onepass"))
+        self.traced, self.drawn = (self.depths(options, camera, engine, work) for engine in ("raytrace", "onepass"))
 
-    def render(self, options, camera, engine, work):
+    def depths(self, options, camera, engine, work):
         """Depths along the view axis; infinite where there is nothing."""
         path = work / "depth.exr"
-        subprocess.run([str(options.relief), "render", options.file, "-o", str(path), "--engine", engine, "--size",
-                        f"{self.size[0]}x{self.size[1]}", "--outputs", "depth", *camera_words(camera)],
-                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        render(options, camera, self.size, path, "--engine", engine, "--outputs", "depth")
         depth = read_exr(path)["Z"].astype(float)
         depth[~(depth > 0.0)] = numpy.inf
         return depth
@@ -71,14 +68,11 @@ class View:
         far = numpy.abs(numpy.array(pixels) - place).max(axis=1)
         return pixels[int(far.argmin())]
 
-    def pixel_at(self, pixel):
-        """The size of a pixel where it is drawn, in the file's unit."""
-        return self.pixel * self.drawn[pixel[1], pixel[0]]
-
-    def pixels_behind(self, positions, pixels, depths):
-        """How far positions lie behind these depths of their pixels, in pixels."""
-        return numpy.array([(self.depth_of(position) / depths[y, x] - 1.0) / self.pixel
-                            for position, (x, y) in zip(positions, pixels)])
+    def behind(self, positions, pixels, spacing):
+        """How far positions lie behind what is drawn in their pixels: in pixels, and in spacings."""
+        drawn = numpy.array([self.drawn[y, x] for x, y in pixels])
+        far = numpy.array([self.depth_of(position) for position in positions]) - drawn
+        return numpy.column_stack([far / (self.pixel * drawn), far / spacing])
 
     def edges(self):
         """Pixels with a neighbour far behind them, which may be nothing, as (x, y)."""
@@ -106,10 +100,8 @@ def click_button(window, place, row):
 
 def random_views(options, display, rng, work):
     """The first view and some that a hand leads to, and the picture's size."""
-    window = ViewerWindow(display, options.relief, [options.file], work, WINDOW)
+    window = open_window(options, [], work, display)
     try:
-        window.patience, window.rest_seconds = PATIENCE, 1.0  # on a busy machine 0.4 s of silence came before the end
-        window.rest()
         hand = Hand(window, rng)
         for number in range(options.views):
             for _ in range(3 if number else 0):
@@ -123,21 +115,12 @@ def random_views(options, display, rng, work):
         window.close()
 
 
-def camera_words(camera):
-    words = ["--fov", str(camera["fov"])]
-    for key in ("eye", "target", "up"):
-        words += [f"--{key}", ",".join(repr(v) for v in camera[key])]
-    return words
-
-
 def clicked(options, display, camera, pixels, work):
     """The positions that clicks on pixels give, by way of the written JSON."""
     file = pathlib.Path(options.file).with_name(pathlib.Path(options.file).stem + "-measurements.json")
     file.unlink(missing_ok=True)
-    window = ViewerWindow(display, options.relief, [options.file, *camera_words(camera)], work, WINDOW)
+    window = open_window(options, camera_words(camera), work, display)
     try:
-        window.patience, window.rest_seconds = PATIENCE, 1.0  # on a busy machine 0.4 s of silence came before the end
-        window.rest()
         window.key("m")
         click_button(window, 1, 0)  # Polyline
         for x, y in pixels:
@@ -158,9 +141,10 @@ def plane_distances(points, picks):
     _, nearest = cKDTree(points).query(picks, 8)
     distances, residuals = [], []
     for pick, rows in zip(picks, nearest):
-        near = points[rows] - points[rows].mean(axis=0)
+        middle = points[rows].mean(axis=0)
+        near = points[rows] - middle
         normal = numpy.linalg.svd(near)[2][2]
-        distances.append(abs((pick - points[rows].mean(axis=0)) @ normal))
+        distances.append(abs((pick - middle) @ normal))
         residuals.append(numpy.sqrt(numpy.mean((near @ normal) ** 2)))
     return numpy.array(distances), numpy.array(residuals)
 
@@ -175,11 +159,13 @@ def summary(values):
     return f"{numpy.median(sizes):.2g}, {numpy.percentile(sizes, 95):.2g}, {sizes.max():.2g}"
 
 
-def report(options, picks, errors, behind):
-    """`behind`: of all picks, in pixels and in spacings. `picks`, `errors`: where both pictures show one surface."""
+def report(options, picks, errors, behind, undrawn):
+    """`behind`: of the picks where something is drawn, as View.behind() has it. `undrawn`: the number of others, at
+    outlines. `picks`, `errors`: where both pictures show one surface."""
     pixels, spacings = behind.T
     print(f"{len(behind)} picks: {((pixels > BEHIND) & (spacings > 1.0)).sum()} lie on what is behind; median, p95 and "
           f"most of what is between picks and the picture: {summary(pixels)} pixels, {summary(spacings)} spacings")
+    print(f"{undrawn} picks in pixels in whose middle nothing is drawn")
     print(f"{len(errors)} picks where the ray tracer sees the same surface: {numpy.median(errors):.2g} from it "
           f"(median), {numpy.percentile(errors, 95):.2g} (p95), {errors.max():.2g} at most")
     if not options.points:
@@ -209,7 +195,7 @@ def main():
     spacing = spacing_of(options)
     display = VirtualDisplay(work)
     rng = random.Random(options.seed)
-    picks, errors, everywhere = [], [], []
+    picks, errors, everywhere, undrawn = [], [], [], 0
     try:
         cameras, size = random_views(options, display, rng, work)
         for number, camera in enumerate(cameras):
@@ -220,17 +206,19 @@ def main():
                     continue
                 found = clicked(options, display, camera, pixels, work)
                 hit = [view.pixel_of(position, pixels) for position in found]
-                steps = view.pixels_behind(found, hit, view.drawn)
+                is_drawn = numpy.isfinite([view.drawn[y, x] for x, y in hit])
+                behind = view.behind(found[is_drawn], [p for p, drawn in zip(hit, is_drawn) if drawn], spacing)
+                undrawn += int((~is_drawn).sum())
                 is_same = numpy.abs([view.drawn[y, x] / view.traced[y, x] - 1.0 for x, y in hit]) < SAME * view.pixel
                 far = numpy.linalg.norm(found - [view.point(x, y) for x, y in hit], axis=1)[is_same]
-                print(f"view {number + 1}, {kind}: {len(pixels)} clicks, {len(found)} picks; {steps.min():.1f} to "
-                      f"{steps.max():.1f} pixels behind what is drawn", flush=True)
-                everywhere += list(numpy.column_stack([steps, steps * [view.pixel_at(p) / spacing for p in hit]]))
+                print(f"view {number + 1}, {kind}: {len(pixels)} clicks, {len(found)} picks; {behind[:, 0].min():.1f} "
+                      f"to {behind[:, 0].max():.1f} pixels behind what is drawn", flush=True)
+                everywhere += list(behind)
                 errors += list(far)
                 picks += list(found[is_same])
     finally:
         display.close()
-    report(options, numpy.array(picks), numpy.array(errors), numpy.array(everywhere))
+    report(options, numpy.array(picks), numpy.array(errors), numpy.array(everywhere), undrawn)
 
 
 if __name__ == "__main__":
