@@ -43,14 +43,16 @@ std::uint32_t byte_of(std::uint32_t packed, std::uint32_t side) {
 }
 
 /// Adds a splat's parallelogram, as shaders/include/splats.glsl has it (splat_corner).
-void add_splat(const SampleRecord& record, std::uint32_t reach, const PatchSamples& samples,
-               glm::uvec2 first, std::vector<GridTriangle>& triangles) {
+void add_splat(const SampleRecord& record, std::uint32_t reach, double pixel,
+               const PatchSamples& samples, glm::uvec2 first,
+               std::vector<GridTriangle>& triangles) {
   const glm::dvec2 node(first + CellNodes::node_of(record));
   const glm::dvec3 centre(node, (record.shape & 0xFFFFU) * double{samples.height_step});
   const glm::i8vec2 steps(glm::u8vec2(record.shape >> 16U, record.shape >> 24U));
   const glm::dvec2 slope = double{samples.slope_step} * glm::dvec2(steps);
-  const auto side = [reach](std::uint32_t c) {
-    return double{shared::kReachStep} * byte_of(reach, c);
+  const double margin = shared::kMarginPixels * pixel;
+  const auto side = [reach, margin](std::uint32_t c) {
+    return double{shared::kReachStep} * byte_of(reach, c) + margin;
   };
   const auto corner = [&](double x, double y) {
     return centre + glm::dvec3(x, y, x * slope.x + y * slope.y);
@@ -137,7 +139,8 @@ Patch window_of(const Patch& patch, const NodeRange& range) {
   return window;
 }
 
-void add_cells(const Patch& patch, const NodeRange& range, bool joined, DrawnTriangles& drawn) {
+void add_cells(const Patch& patch, const NodeRange& range, bool joined, double pixel,
+               DrawnTriangles& drawn) {
   const NodeRange wide = widened(patch, range);
   const Patch window = window_of(patch, wide);
   if (joined) {
@@ -165,7 +168,7 @@ void add_cells(const Patch& patch, const NodeRange& range, bool joined, DrawnTri
                         glm::all(glm::lessThanEqual(node, range.last));
     if (!within) continue;
     if (const auto reach = rim_reach(nodes, border, record))
-      add_splat(record, *reach, samples, wide.first, drawn.splats);
+      add_splat(record, *reach, pixel, samples, wide.first, drawn.splats);
   }
 }
 

@@ -46,8 +46,10 @@ struct DrawnTriangles {
 };
 
 /// Adds the cells between the nodes of `range`, and the splats of these nodes. `joined`: the patch
-/// meets others, and has whole cells and no splats.
-void add_cells(const Patch& patch, const NodeRange& range, bool joined, DrawnTriangles& drawn);
+/// meets others, and has whole cells and no splats. `pixel`: how many cells a pixel is, which
+/// splats have margins of.
+void add_cells(const Patch& patch, const NodeRange& range, bool joined, double pixel,
+               DrawnTriangles& drawn);
 
 /// Adds those triangles of the patch's share of its run's seams that reach into the cube of
 /// `reach` cells about a position. `share`: its number in the run.

@@ -11,6 +11,8 @@
 #include "common/mesh/nearest_on_triangle.h"
 #include "common/seams/make_seams.h"
 #include "renderer/engines/raytrace/meet_triangle.h"
+#include "shaders/include/shared.h"
+#include "viewer/measuring/corrected_hit.h"
 #include "viewer/measuring/drawn_surface.h"
 #include "viewer/measuring/surface_attributes.h"
 
@@ -26,9 +28,13 @@ constexpr double kPixelsOff = 1.5;
 /// Single precision on the way to the depth of a pixel, as a part of it.
 constexpr double kDepthError = 2e-6;
 
-/// Cells around what was drawn that are looked at, each way, at most: 0.3 ms a pick (the Dragon,
-/// 20 cells a pixel; 0.09 ms with one cell a pixel). Larger pixels show means of cells.
+/// Cells around what was drawn that are looked at, each way, at most: 0.4 ms a pick (a sphere of
+/// overlapping patches, 20 cells a pixel; 0.16 ms with one cell a pixel). Larger pixels show means
+/// of cells.
 constexpr double kMostCells = 24.0;
+
+/// How many cells farther a splat may be that correction has moved the ray from.
+constexpr double kCorrectionReach = 0.5 * shared::kSearchSteps + 0.5;
 
 /// How much farther what was drawn may be from the plane of the triangle that the ray crosses than
 /// from the nearest triangle. On a plane both are the same; what the ray crosses behind an edge
@@ -62,6 +68,20 @@ struct GridRay {
   double pixel = 0.0;  ///< cells
 };
 
+/// Where a ray meets a triangle.
+struct Meeting {
+  glm::dvec3 position{0.0};
+  double depth = 0.0;  ///< in lengths of the ray's direction
+};
+
+std::optional<Meeting> meeting(const GridTriangle& t, const GridRay& ray) {
+  const auto hit = raytrace::meet_triangle(
+      0, {t[0] - ray.start, t[1] - ray.start, t[2] - ray.start}, ray.direction);
+  if (!hit) return std::nullopt;
+  const glm::dvec3 w = hit->weights;
+  return Meeting{w.x * t[0] + w.y * t[1] + w.z * t[2], hit->depth};
+}
+
 /// A position on a patch, in its grid frame.
 struct Found {
   glm::dvec3 position{0.0};
@@ -79,6 +99,22 @@ Found find_nearest(const std::vector<GridTriangle>& triangles, glm::dvec3 drawn,
   return nearest;
 }
 
+/// Of the positions that correction moves the ray's meetings with splats to, the one that is
+/// nearest to what was drawn.
+Found find_corrected(const Patch& patch, const std::vector<GridTriangle>& splats,
+                     const GridRay& ray) {
+  Found nearest;
+  for (const GridTriangle& t : splats) {
+    const auto hit = meeting(t, ray);
+    if (!hit) continue;
+    const auto corrected = corrected_hit(patch, hit->position, ray.direction);
+    if (!corrected) continue;
+    const double distance = glm::distance(*corrected, ray.drawn);
+    if (distance < nearest.distance) nearest = {*corrected, distance};
+  }
+  return nearest;
+}
+
 /// Where the ray first crosses a triangle, among those whose planes are at most `off` cells from
 /// what was drawn.
 std::optional<glm::dvec3> find_crossing(const std::vector<GridTriangle>& triangles,
@@ -86,13 +122,12 @@ std::optional<glm::dvec3> find_crossing(const std::vector<GridTriangle>& triangl
   std::optional<glm::dvec3> first;
   double depth = std::numeric_limits<double>::max();
   for (const GridTriangle& t : triangles) {
-    const auto hit = raytrace::meet_triangle(
-        0, {t[0] - ray.start, t[1] - ray.start, t[2] - ray.start}, ray.direction);
+    const auto hit = meeting(t, ray);
     if (!hit || hit->depth >= depth) continue;
     const glm::dvec3 across = glm::cross(t[1] - t[0], t[2] - t[0]);
     if (std::abs(glm::dot(glm::normalize(across), ray.drawn - t[0])) > off) continue;
     depth = hit->depth;
-    first = hit->weights.x * t[0] + hit->weights.y * t[1] + hit->weights.z * t[2];
+    first = hit->position;
   }
   return first;
 }
@@ -140,24 +175,27 @@ std::optional<SurfacePoint> SurfacePicker::pick_on(std::uint32_t number,
   const GridRay ray = in_grid(patch, placed->transform, query);
   const double depth_error = kDepthError * glm::distance(ray.start, ray.drawn);
   const double most_off = kCellsOff + kPixelsOff * ray.pixel + depth_error;
-  const double reach = std::min(std::ceil(most_off) + 1.0, kMostCells);
+  const double reach = std::min(std::ceil(most_off) + 1.0 + kCorrectionReach, kMostCells);
 
   DrawnTriangles triangles;
   const PatchRun* const run = run_of(*model_, placed->number);
   if (const auto range = nodes_about(patch, ray.drawn, reach))
-    add_cells(patch, *range, run != nullptr, triangles);
+    add_cells(patch, *range, run != nullptr, ray.pixel, triangles);
   if (run != nullptr) {
     const auto seams = static_cast<std::size_t>(run - model_->joined.data());
     add_seams(patch, seams_[seams], placed->number - run->first, ray.drawn, reach, triangles);
   }
+  const Found corrected = find_corrected(patch, triangles.splats, ray);
   Found found = find_nearest(triangles.splats, ray.drawn, find_nearest(triangles.cells, ray.drawn));
+  if (corrected.distance < found.distance) found = corrected;
   if (!(found.distance <= most_off)) return std::nullopt;
   const double off = kCrossingSlack * found.distance + depth_error;
-  for (const auto* some : {&triangles.cells, &triangles.splats}) {
-    if (const auto crossing = find_crossing(*some, ray, off)) {
-      found.position = *crossing;
-      break;
-    }
+  if (const auto crossing = find_crossing(triangles.cells, ray, off)) {
+    found.position = *crossing;
+  } else if (corrected.distance <= off) {
+    found.position = corrected.position;
+  } else if (const auto on_splat = find_crossing(triangles.splats, ray, off)) {
+    found.position = *on_splat;
   }
 
   const Transform& place = placed->transform;
