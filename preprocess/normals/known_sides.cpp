@@ -14,9 +14,12 @@ constexpr float kUpWeight = 0.15F;
 // No more than an eighth of the largest error that a wrong side can be: a surface that bends under
 // an overhang keeps its sides even if the guess that the scan is airborne is wrong.
 constexpr float kAirborneWeight = 0.5F;
-// A part of a scan sees too little for its winding numbers: the whole scan counts as much as the
-// largest error that a wrong side can be.
-constexpr float kWholeWeight = 1.0F;
+// Sheets that the winding numbers of a part don't decide face as in the whole scan. Half of the
+// largest error that a wrong side can be: a sample errs in thin parts, which the points themselves
+// tell. scripts/large_scan.py with three bodies, samples of 10,000 and 47,000 points, of the bodies
+// from above 5.2 and 2.7 % face down with 1 and without what lies around the part, 2.1 % of the
+// latter with 0.5: their silhouettes. With 0 the ground of a tile is turned over.
+constexpr float kWholeWeight = 0.5F;
 // So that the side of a flat sheet is not left to rounding.
 constexpr float kLeastWeight = 1e-3F;
 

@@ -27,6 +27,9 @@ struct SideChoice {
   const SampledSides* whole = nullptr;
 };
 
+/// Directions that are less along the normal don't tell its side: the surface is seen edge on.
+inline constexpr float kSureCosine = 0.25F;
+
 /// The direction that normals of a scan shall have.
 struct KnownSides {
   std::optional<glm::dvec3> viewpoint{};  ///< towards this position; nothing: up

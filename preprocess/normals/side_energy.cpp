@@ -184,6 +184,10 @@ void flip(std::size_t group, GroupTree& tree) {
 
 }  // namespace
 
+float energy_of(const SideEnergy& energy, const Eigen::VectorXf& sides) {
+  return -energy.fields.dot(sides) - 0.5F * sides.dot(energy.pairs * sides);
+}
+
 Eigen::VectorXf choose_sides(const SideEnergy& energy) {
   const Index count = energy.fields.size();
   const SideEnergy all = with_outside(energy);

@@ -15,14 +15,8 @@ namespace {
 constexpr float kFarRadii = 2.0F;
 constexpr float kPi = std::numbers::pi_v<float>;
 
-struct Dipole {
-  glm::vec3 centre{0.0F};
-  glm::vec3 area_normal{0.0F};
-  float squared_reach = 0.0F;  ///< beyond it, the dipole stands for its piece
-};
-
-Dipole dipole_of(const PiecedSurface& surface, std::size_t piece) {
-  Dipole dipole;
+PieceDipole dipole_of(const PiecedSurface& surface, std::size_t piece) {
+  PieceDipole dipole;
   float area = 0.0F;
   const std::uint32_t begin = surface.first[piece];
   const std::uint32_t end = surface.first[piece + 1];
@@ -58,6 +52,15 @@ float solid_angle_of_points(const PiecedSurface& surface, std::size_t piece, glm
   return sum;
 }
 
+float winding_number(const PiecedSurface& surface, std::size_t piece, const PieceDipole& dipole,
+                     glm::vec3 place) {
+  const glm::vec3 to = dipole.centre - place;
+  const float angle = glm::dot(to, to) > dipole.squared_reach
+                          ? solid_angle(to, dipole.area_normal, 0.0F)
+                          : solid_angle_of_points(surface, piece, place);
+  return angle / (4.0F * kPi);
+}
+
 }  // namespace
 
 std::vector<float> areas_of(const PiecedSurface& surface) {
@@ -84,21 +87,40 @@ SurfacePlaces places_on(const PiecedSurface& surface, std::size_t per_piece) {
   return places;
 }
 
+std::vector<PieceDipole> dipoles_of(const PiecedSurface& surface) {
+  std::vector<PieceDipole> dipoles;
+  for (std::size_t piece = 0; piece < surface.count(); ++piece)
+    dipoles.push_back(dipole_of(surface, piece));
+  return dipoles;
+}
+
 Eigen::MatrixXf winding_numbers(const PiecedSurface& surface, const SurfacePlaces& places) {
-  Eigen::MatrixXf numbers(static_cast<Eigen::Index>(places.positions.size()),
-                          static_cast<Eigen::Index>(surface.count()));
+  const auto count = static_cast<Eigen::Index>(places.positions.size());
+  Eigen::MatrixXf numbers(count, static_cast<Eigen::Index>(surface.count()));
   tbb::parallel_for(std::size_t{0}, surface.count(), [&](std::size_t piece) {
-    const Dipole dipole = dipole_of(surface, piece);
-    for (std::size_t p = 0; p < places.positions.size(); ++p) {
-      const glm::vec3 to = dipole.centre - places.positions[p];
-      const float angle = glm::dot(to, to) > dipole.squared_reach
-                              ? solid_angle(to, dipole.area_normal, 0.0F)
-                              : solid_angle_of_points(surface, piece, places.positions[p]);
-      numbers(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(piece)) =
-          angle / (4.0F * kPi);
+    const PieceDipole dipole = dipole_of(surface, piece);
+    for (Eigen::Index p = 0; p < count; ++p) {
+      numbers(p, static_cast<Eigen::Index>(piece)) =
+          winding_number(surface, piece, dipole, places.positions[static_cast<std::size_t>(p)]);
     }
   });
   return numbers;
+}
+
+Eigen::VectorXf total_winding_numbers(const PiecedSurface& surface,
+                                      const std::vector<PieceDipole>& dipoles,
+                                      const Eigen::VectorXf& sides, const SurfacePlaces& places) {
+  Eigen::VectorXf totals(static_cast<Eigen::Index>(places.positions.size()));
+  tbb::parallel_for(Eigen::Index{0}, totals.size(), [&](Eigen::Index p) {
+    const glm::vec3 place = places.positions[static_cast<std::size_t>(p)];
+    float total = 0.0F;
+    for (std::size_t piece = 0; piece < dipoles.size(); ++piece) {
+      const float side = sides[static_cast<Eigen::Index>(piece)];
+      if (side != 0.0F) total += side * winding_number(surface, piece, dipoles[piece], place);
+    }
+    totals[p] = total;
+  });
+  return totals;
 }
 
 }  // namespace relief

@@ -31,6 +31,15 @@ struct SurfacePlaces {
 /// Returns `per_piece` points of each piece, or all if it has fewer, evenly over their order.
 [[nodiscard]] SurfacePlaces places_on(const PiecedSurface& surface, std::size_t per_piece);
 
+/// A piece seen from afar.
+struct PieceDipole {
+  glm::vec3 centre{0.0F};
+  glm::vec3 area_normal{0.0F};
+  float squared_reach = 0.0F;  ///< beyond it, the dipole stands for its piece
+};
+
+[[nodiscard]] std::vector<PieceDipole> dipoles_of(const PiecedSurface& surface);
+
 /// Returns the winding number of each piece (column) about each place (row): the share of all
 /// directions in which the place sees the piece, negative if it sees the side that normals point
 /// to. All pieces of a closed surface have a half together. A far piece is one dipole and a near
@@ -38,5 +47,12 @@ struct SurfacePlaces {
 /// threads.
 [[nodiscard]] Eigen::MatrixXf winding_numbers(const PiecedSurface& surface,
                                               const SurfacePlaces& places);
+
+/// Returns the winding number of all pieces about each place. `sides`: 1, -1 for pieces turned over
+/// and 0 for those that do not count. `dipoles`: those of the surface.
+[[nodiscard]] Eigen::VectorXf total_winding_numbers(const PiecedSurface& surface,
+                                                    const std::vector<PieceDipole>& dipoles,
+                                                    const Eigen::VectorXf& sides,
+                                                    const SurfacePlaces& places);
 
 }  // namespace relief

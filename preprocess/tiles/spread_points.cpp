@@ -28,10 +28,16 @@ constexpr std::uint64_t kBaseBytes = std::uint64_t{96} << 20U;
 // Halos have a tenth as many points as tiles of a million, and half as many as small ones.
 constexpr double kHaloShare = 0.5;
 
+// A scan's sample has a body of it in as many points as tell its sides: 32nd of all, but as many as
+// a tile, and no more than are oriented in 20 s.
+constexpr std::size_t kSampleShare = 32;
+constexpr std::size_t kFewestSamplePoints = std::size_t{1} << 18U;
+constexpr std::size_t kMostSamplePoints = std::size_t{1} << 20U;
+
 /// Report of the first run.
 struct Look {
   PointSample sample;
-  ChanceSample<glm::dvec3> by_chance;
+  ChanceSample<glm::dvec3, kMostSamplePoints> by_chance;
   Bounds bounds;
   ScanAttributes attributes{true, true};
   ScalarSurvey scalars;
@@ -94,6 +100,19 @@ Result<std::vector<ScalarInfo>> describe(ScalarSurvey& survey, const ReadOptions
   return infos;
 }
 
+/// Some of a sample, evenly over its order: at most as many as a scan of this size needs, and as
+/// can be oriented in this memory.
+std::vector<glm::dvec3> thinned(const std::vector<glm::dvec3>& sample, std::uint64_t points,
+                                std::uint64_t memory) {
+  const std::uint64_t most =
+      std::min(std::max<std::uint64_t>(points / kSampleShare, kFewestSamplePoints),
+               std::max<std::uint64_t>(points_for(memory, 0), 1));
+  const std::size_t step = (sample.size() + most - 1) / most;
+  std::vector<glm::dvec3> kept;
+  for (std::size_t i = 0; i < sample.size(); i += step) kept.push_back(sample[i]);
+  return kept;
+}
+
 /// The first reading.
 Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
                   const SpreadOptions& options, SpreadScan& scan, Progress& progress) {
@@ -116,7 +135,7 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   // Points seen from several positions have no single viewpoint.
   if (files.size() == 1) scan.viewpoint = seen.viewpoint;
   scan.is_airborne = seen.is_airborne;
-  scan.sample = seen.by_chance.take();
+  scan.sample = thinned(seen.by_chance.take(), read->points, options.memory_bytes);
   const auto note_mixed = [&](bool some, bool all, std::string_view name) {
     if (some && !all)
       scan.notes.push_back(fmt::format("only some of the scans have {}; they are left out", name));
