@@ -77,7 +77,8 @@ ChosenSides choose_together(const SidePieces& pieces, const KnownSides& known, c
       Eigen::VectorXf::Zero(static_cast<Eigen::Index>(places.positions.size()));
   if (known.whole != nullptr)
     others = known.whole->winding_numbers_beyond(box, places, pieces.centre);
-  const WindingTerms winding = winding_terms(pieces.surface, places, others);
+  const WindingTerms winding =
+      winding_terms(winding_numbers(pieces.surface, places), places, others);
   energy.pairs += winding.pairs;
   if (known.whole == nullptr) return choose_number(winding, energy);
   const float number = known.whole->number();

@@ -22,8 +22,6 @@ constexpr std::size_t kFewestRefined = 120'000;
 // Twice or half as many changed 0.3 % of the bodies on the ground of scripts/large_scan.py.
 constexpr std::size_t kBlockPieces = 200;
 constexpr std::size_t kWindowPieces = 600;
-// Two and three places changed 0.3 %, and took twice and three times as long.
-constexpr std::size_t kFinePlaces = 1;
 // The mean squared error of a block's winding numbers of which none gets better: half of the blocks
 // of scripts/large_scan.py's ground.
 constexpr float kFits = 0.005F;
@@ -60,8 +58,10 @@ class Refinement {
         number_(number),
         areas_(areas_of(pieces.surface)),
         dipoles_(dipoles_of(pieces.surface)),
+        places_(places_on(pieces.surface, 1)),
         coupled_(pieces.count()),
-        sides_(std::move(sides)) {
+        sides_(std::move(sides)),
+        numbers_(total_winding_numbers(pieces.surface, dipoles_, sides_, places_)) {
     for (const SideCoupling& c : pieces.couplings) {
       coupled_[c.a].emplace_back(c.b, c.gain);
       coupled_[c.b].emplace_back(c.a, c.gain);
@@ -69,9 +69,6 @@ class Refinement {
   }
 
   void run(const Progress& progress) {
-    const SurfacePlaces places = places_on(pieces_->surface, 1);  // in the order of the pieces
-    const Eigen::VectorXf errors =
-        total_winding_numbers(pieces_->surface, dipoles_, sides_, places).array() - number_;
     Numbers all(pieces_->count());
     for (std::uint32_t k = 0; k < all.size(); ++k) all[k] = k;
     std::vector<Numbers> blocks;
@@ -81,7 +78,8 @@ class Refinement {
       float error = 0.0F;
       float area = 0.0F;
       for (const std::uint32_t k : block) {
-        error += areas_[k] * errors[static_cast<Index>(k)] * errors[static_cast<Index>(k)];
+        const float off = numbers_[static_cast<Index>(k)] - number_;
+        error += areas_[k] * off * off;
         area += areas_[k];
       }
       if (error > kFits * area) choose_again(window_about(block));
@@ -127,22 +125,26 @@ class Refinement {
     return own;
   }
 
+  [[nodiscard]] SurfacePlaces places_of(const Numbers& window) const {
+    SurfacePlaces own;
+    for (const std::uint32_t k : window) {
+      own.positions.push_back(places_.positions[k]);
+      own.areas.push_back(places_.areas[k]);
+    }
+    return own;
+  }
+
   /// The energy of a window's sides, with all other pieces as they are.
   [[nodiscard]] SideEnergy energy_about(const Numbers& window) const {
     const auto count = static_cast<Index>(window.size());
-    Eigen::VectorXf outside = sides_;
-    std::vector<Index> place_of(pieces_->count(), -1);
-    for (Index m = 0; m < count; ++m) {
-      const std::uint32_t k = window[static_cast<std::size_t>(m)];
-      outside[static_cast<Index>(k)] = 0.0F;
-      place_of[k] = m;
-    }
-    const PiecedSurface own = surface_of(window);
-    const SurfacePlaces places = places_on(own, kFinePlaces);
-    WindingTerms winding = winding_terms(
-        own, places, total_winding_numbers(pieces_->surface, dipoles_, outside, places));
+    const SurfacePlaces places = places_of(window);
+    Eigen::MatrixXf numbers = winding_numbers(surface_of(window), places);
+    const Eigen::VectorXf others = numbers_(window) - numbers * sides_(window);
+    WindingTerms winding = winding_terms(std::move(numbers), places, others);
     SideEnergy energy{std::move(winding.pairs), winding.others + number_ * winding.number,
                       Eigen::VectorXf(count)};
+    std::vector<Index> place_of(pieces_->count(), -1);
+    for (Index m = 0; m < count; ++m) place_of[window[static_cast<std::size_t>(m)]] = m;
     for (Index m = 0; m < count; ++m) {
       const std::uint32_t k = window[static_cast<std::size_t>(m)];
       energy.areas[m] = std::max(areas_[k], kLeastPieceArea);
@@ -161,7 +163,16 @@ class Refinement {
     const SideEnergy energy = energy_about(window);
     const Eigen::VectorXf before = sides_(window);
     const Eigen::VectorXf after = choose_sides(energy);
-    if (energy_of(energy, after) < energy_of(energy, before)) sides_(window) = after;
+    if (!(energy_of(energy, after) < energy_of(energy, before))) return;
+    Numbers turned;
+    for (std::size_t m = 0; m < window.size(); ++m) {
+      const auto k = static_cast<Index>(window[m]);
+      if (after[static_cast<Index>(m)] == sides_[k]) continue;
+      sides_[k] = after[static_cast<Index>(m)];
+      turned.push_back(window[m]);
+    }
+    const PiecedSurface surface = surface_of(turned);
+    numbers_ += total_winding_numbers(surface, dipoles_of(surface), 2.0F * sides_(turned), places_);
   }
 
   const SidePieces* pieces_;
@@ -169,8 +180,10 @@ class Refinement {
   float number_;
   std::vector<float> areas_;
   std::vector<PieceDipole> dipoles_;
+  SurfacePlaces places_;  // one on each piece: with two or three, 0.3 % changed
   std::vector<std::vector<std::pair<std::uint32_t, float>>> coupled_;  // with what gain
   Eigen::VectorXf sides_;
+  Eigen::VectorXf numbers_;  // about the places, with these sides
 };
 
 }  // namespace

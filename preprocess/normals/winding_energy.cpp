@@ -2,9 +2,8 @@
 
 namespace relief {
 
-WindingTerms winding_terms(const PiecedSurface& surface, const SurfacePlaces& places,
+WindingTerms winding_terms(Eigen::MatrixXf numbers, const SurfacePlaces& places,
                            const Eigen::VectorXf& others) {
-  Eigen::MatrixXf numbers = winding_numbers(surface, places);
   const Eigen::Map<const Eigen::VectorXf> areas(places.areas.data(),
                                                 static_cast<Eigen::Index>(places.areas.size()));
   WindingTerms terms;

@@ -17,8 +17,9 @@ struct WindingTerms {
   Eigen::VectorXf number;  ///< fields, for each unit of the number that places should have
 };
 
-/// `others`: the winding numbers of what there is beside the surface about the places.
-[[nodiscard]] WindingTerms winding_terms(const PiecedSurface& surface, const SurfacePlaces& places,
+/// `numbers`: of pieces about places, as winding_numbers() has them. `others`: of what there is
+/// beside these pieces.
+[[nodiscard]] WindingTerms winding_terms(Eigen::MatrixXf numbers, const SurfacePlaces& places,
                                          const Eigen::VectorXf& others);
 
 }  // namespace relief
