@@ -50,19 +50,20 @@ SideEnergy known_energy(const SidePieces& pieces, const KnownSides& known) {
   return energy;
 }
 
-/// The sides of lowest energy, among those for several winding numbers.
+/// The sides for the winding number that fits best. What the known direction counts does not: it
+/// would choose 0 for a bowl, which then faces up, into it.
 ChosenSides choose_number(const WindingTerms& winding, SideEnergy& energy) {
-  const Eigen::VectorXf fields = energy.fields;
+  const Eigen::VectorXf known = energy.fields;
   const float area = energy.areas.sum();
   ChosenSides best;
   float least = std::numeric_limits<float>::infinity();
   for (const float number : kNumbers) {
-    energy.fields = fields + number * winding.number;
+    energy.fields = known + number * winding.number;
     const Eigen::VectorXf sides = choose_sides(energy);
     // The errors' part that does not depend on the sides is the number's square.
-    const float own = energy_of(energy, sides) + number * number * area;
-    if (own < least) best = {sides, number};
-    least = std::min(least, own);
+    const float error = energy_of(energy, sides) + known.dot(sides) + number * number * area;
+    if (error < least) best = {sides, number};
+    least = std::min(least, error);
     if (0.5F * winding.number.dot(sides) > kClosedNumber * area) break;
   }
   return best;
