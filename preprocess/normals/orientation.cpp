@@ -62,7 +62,7 @@ ChosenSides choose_number(const WindingTerms& winding, SideEnergy& energy) {
     const Eigen::VectorXf sides = choose_sides(energy);
     // The errors' part that does not depend on the sides is the number's square.
     const float error = energy_of(energy, sides) + known.dot(sides) + number * number * area;
-    if (error < least) best = {sides, number};
+    if (error < least || best.sides.size() == 0) best = {sides, number};  // NaN: the first
     least = std::min(least, error);
     if (0.5F * winding.number.dot(sides) > kClosedNumber * area) break;
   }

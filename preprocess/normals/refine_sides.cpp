@@ -26,6 +26,21 @@ constexpr std::size_t kWindowPieces = 600;
 // of scripts/large_scan.py's ground.
 constexpr float kFits = 0.005F;
 
+/// The box of the centres of some pieces.
+struct CentreBox {
+  glm::vec3 low{0.0F};
+  glm::vec3 high{0.0F};
+};
+
+CentreBox box_of(const Numbers& pieces, const std::vector<PieceDipole>& dipoles) {
+  CentreBox box{dipoles[pieces.front()].centre, dipoles[pieces.front()].centre};
+  for (const std::uint32_t k : pieces) {
+    box.low = glm::min(box.low, dipoles[k].centre);
+    box.high = glm::max(box.high, dipoles[k].centre);
+  }
+  return box;
+}
+
 /// Pieces in halves of halves of their box, at most kBlockPieces in each.
 void cut_into_blocks(Numbers pieces, const std::vector<PieceDipole>& dipoles,
                      std::vector<Numbers>& blocks) {
@@ -33,13 +48,8 @@ void cut_into_blocks(Numbers pieces, const std::vector<PieceDipole>& dipoles,
     blocks.push_back(std::move(pieces));
     return;
   }
-  glm::vec3 low = dipoles[pieces.front()].centre;
-  glm::vec3 high = low;
-  for (const std::uint32_t k : pieces) {
-    low = glm::min(low, dipoles[k].centre);
-    high = glm::max(high, dipoles[k].centre);
-  }
-  const glm::vec3 size = high - low;
+  const CentreBox box = box_of(pieces, dipoles);
+  const glm::vec3 size = box.high - box.low;
   int axis = size.y > size.x ? 1 : 0;
   if (size.z > size[axis]) axis = 2;
   std::ranges::sort(pieces, {}, [&dipoles, axis](std::uint32_t k) {
@@ -91,16 +101,12 @@ class Refinement {
  private:
   /// The pieces nearest to the box of a block, its own among them, ascending.
   [[nodiscard]] Numbers window_about(const Numbers& block) const {
-    glm::vec3 low = dipoles_[block.front()].centre;
-    glm::vec3 high = low;
-    for (const std::uint32_t k : block) {
-      low = glm::min(low, dipoles_[k].centre);
-      high = glm::max(high, dipoles_[k].centre);
-    }
+    const CentreBox box = box_of(block, dipoles_);
     std::vector<std::pair<float, std::uint32_t>> near(dipoles_.size());
     for (std::uint32_t k = 0; k < near.size(); ++k) {
       const glm::vec3 centre = dipoles_[k].centre;
-      const glm::vec3 off = glm::max(glm::max(low - centre, centre - high), glm::vec3(0.0F));
+      const glm::vec3 off =
+          glm::max(glm::max(box.low - centre, centre - box.high), glm::vec3(0.0F));
       near[k] = {glm::dot(off, off), k};
     }
     const std::size_t count = std::min(kWindowPieces, near.size());

@@ -28,8 +28,8 @@ constexpr std::uint64_t kBaseBytes = std::uint64_t{96} << 20U;
 // Halos have a tenth as many points as tiles of a million, and half as many as small ones.
 constexpr double kHaloShare = 0.5;
 
-// A scan's sample has a body of it in as many points as tell its sides: 32nd of all, but as many as
-// a tile, and no more than are oriented in 20 s.
+// The sample that tells the sides of tiles: a 32nd of all points, so that each of a large scan's
+// bodies has enough of them; at least twice a tile's, and no more than are oriented in 20 s.
 constexpr std::size_t kSampleShare = 32;
 constexpr std::size_t kFewestSamplePoints = std::size_t{1} << 18U;
 constexpr std::size_t kMostSamplePoints = std::size_t{1} << 20U;
