@@ -56,9 +56,10 @@ NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
 /// The points are cut into small smooth pieces (cut_into_pieces). The sides of pieces are chosen so
 /// that the winding number of the whole surface about its own points is a half, as it is for closed
 /// surfaces that face outward ([Lin 2024] has that condition for each point), or less if an open
-/// ground fits better so, that neighbours
-/// across the borders of pieces agree, and that normals face the known direction, each as far as
-/// the others let them. Where the direction is sure (KnownSides), it decides at each point.
+/// ground fits better so, that neighbours across the borders of pieces agree, and that normals face
+/// the known direction, each as far as the others let them. Where the direction is sure
+/// (KnownSides), it decides at each point. In large scans small pieces are chosen again
+/// (refine_sides).
 ///
 /// Returns that winding number. The result does not depend on the number of threads. Incomplete if
 /// the user interrupts.

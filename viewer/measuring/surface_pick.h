@@ -43,9 +43,9 @@ struct SurfacePoint {
 
 /// Finds points of a model's surface at full detail, as engine `onepass` draws it with cells: the
 /// cells' triangles, the seams between patches that meet, and elsewhere the splats at the borders,
-/// corrected as their fragments are (corrected_hit.h).
-/// Views of other engines, primitives and levels of detail show the same surface up to some tenths
-/// of a cell or of a pixel; a pick there gives the nearest point of this one.
+/// corrected as their fragments are (corrected_hit.h). Views of other engines, primitives and
+/// levels of detail show the same surface up to some tenths of a cell or of a pixel; a pick there
+/// gives the nearest point of this one.
 class SurfacePicker {
  public:
   /// Makes the seams of all patches that meet, which takes as long as their upload: better not on

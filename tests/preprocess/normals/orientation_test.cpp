@@ -2,32 +2,22 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
-#include <functional>
-#include <numbers>
+#include <random>
 
 #include "preprocess/normals/normals.h"
 #include "preprocess/normals/orient_sample.h"
 #include "preprocess/points/chance_sample.h"
-#include "tests/preprocess/surfaces.h"
+#include "tests/preprocess/normals/sided_points.h"
 
 namespace relief {
 namespace {
 
-/// Points, and the side that each of them has.
-struct Truth {
-  Points points;
-  std::vector<glm::vec3> sides;
-
-  void add(glm::dvec3 position, glm::dvec3 side) {
-    points.positions.push_back(position);
-    sides.emplace_back(side);
-  }
-};
+using test::SidedPoints;
 
 constexpr double kStep = 0.05;
 
 /// A jittered grid about `centre` along two axes, whose product is the side.
-void add_square(Truth& truth, glm::dvec3 centre, glm::dvec3 half_u, glm::dvec3 half_v) {
+void add_square(SidedPoints& truth, glm::dvec3 centre, glm::dvec3 half_u, glm::dvec3 half_v) {
   std::mt19937 random(static_cast<unsigned>(truth.points.size()) + 1U);
   std::uniform_real_distribution<double> jitter(-0.3, 0.3);
   const auto across = [](glm::dvec3 half) {
@@ -47,7 +37,7 @@ void add_square(Truth& truth, glm::dvec3 centre, glm::dvec3 half_u, glm::dvec3 h
 }
 
 /// The five or six faces of a box that stands at z = 0.
-void add_box(Truth& truth, glm::dvec3 centre, glm::dvec3 half, bool has_floor) {
+void add_box(SidedPoints& truth, glm::dvec3 centre, glm::dvec3 half, bool has_floor) {
   const glm::dvec3 x(half.x, 0, 0);
   const glm::dvec3 y(0, half.y, 0);
   const glm::dvec3 z(0, 0, half.z);
@@ -59,35 +49,16 @@ void add_box(Truth& truth, glm::dvec3 centre, glm::dvec3 half, bool has_floor) {
   add_square(truth, centre - y, x, z);
 }
 
-void add_sphere(Truth& truth, glm::dvec3 centre, double radius) {
-  const int count = static_cast<int>(4.0 * std::numbers::pi * radius * radius / (kStep * kStep));
-  for (int i = 0; i < count; ++i) {
-    const double z = 1.0 - 2.0 * (i + 0.5) / count;
-    const double turn = std::numbers::pi * (1.0 + std::sqrt(5.0)) * i;
-    const double r = std::sqrt(1.0 - z * z);
-    const glm::dvec3 side(r * std::cos(turn), r * std::sin(turn), z);
-    truth.add(centre + radius * side, side);
-  }
-}
-
-std::vector<glm::vec3> normals_of(const Truth& truth, const SideChoice& side = {}) {
+std::vector<glm::vec3> normals_of(const SidedPoints& truth, const SideChoice& side = {}) {
   Points points = truth.points;
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   complete_normals(points, graph, fit_local_frames(points.positions, graph), {.side = side});
   return points.normals;
 }
 
-/// The share of points whose normals face away from their sides.
-double flipped(const Truth& truth, const std::vector<glm::vec3>& normals) {
-  std::size_t wrong = 0;
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    wrong += glm::dot(normals[i], truth.sides[i]) < 0.0F ? 1 : 0;
-  return static_cast<double>(wrong) / static_cast<double>(normals.size());
-}
-
 /// A ground that goes on under the bodies that stand on it.
-Truth ground() {
-  Truth truth;
+SidedPoints ground() {
+  SidedPoints truth;
   add_square(truth, {0, 0, 0}, {2.5, 0, 0}, {0, 2.5, 0});
   return truth;
 }
@@ -97,26 +68,26 @@ Truth ground() {
 constexpr double kFewAtEdges = 0.01;
 
 TEST(Orientation, OfBoxesOnAGround) {
-  Truth truth = ground();
+  SidedPoints truth = ground();
   add_box(truth, {-1, -1, 0.3}, {0.4, 0.4, 0.3}, false);
   add_box(truth, {1, -1, 0.6}, {0.4, 0.5, 0.6}, false);
   add_box(truth, {0, 1.2, 0.2}, {0.8, 0.4, 0.2}, false);
-  EXPECT_LT(flipped(truth, normals_of(truth)), kFewAtEdges);
+  EXPECT_LT(truth.flipped(normals_of(truth)), kFewAtEdges);
 }
 
 TEST(Orientation, OfAPartIsThatOfTheWhole) {
-  Truth whole;
+  SidedPoints whole;
   add_box(whole, {0, 0, 0.5}, {1.0, 1.0, 0.5}, true);
   ChanceSample<glm::dvec3> sample;
-  Truth part;  // of the floor, which faces down
+  SidedPoints part;  // of the floor, which faces down
   for (std::size_t i = 0; i < whole.sides.size(); ++i) {
     const glm::dvec3 p = whole.points.positions[i];
     if (i % 3 == 0) sample.add(p);
     if (p.z < 0.02 && std::abs(p.x) < 0.7 && std::abs(p.y) < 0.7) part.add(p, whole.sides[i]);
   }
-  EXPECT_EQ(flipped(part, normals_of(part)), 1.0) << "alone it looks like a terrain";
+  EXPECT_EQ(part.flipped(normals_of(part)), 1.0) << "alone it looks like a terrain";
   const SampledSides sides = orient_sample(sample.take(), {}, Progress());
-  EXPECT_EQ(flipped(part, normals_of(part, {.whole = &sides})), 0.0);
+  EXPECT_EQ(part.flipped(normals_of(part, {.whole = &sides})), 0.0);
 }
 
 TEST(ChanceSample, IsSpreadOverAllPointsAndBounded) {
@@ -136,21 +107,21 @@ TEST(ChanceSample, IsSpreadOverAllPointsAndBounded) {
 // The ground below a sphere and the sphere's lowest cap lie within each other's neighbourhoods: 2 %
 // of the points.
 TEST(Orientation, OfBallsThatTouchAGround) {
-  Truth truth = ground();
-  add_sphere(truth, {-1, 0, 0.6}, 0.6);
-  add_sphere(truth, {1, 0.4, 0.8}, 0.8);
-  EXPECT_LT(flipped(truth, normals_of(truth)), 0.02);
+  SidedPoints truth = ground();
+  truth.add_sphere({-1, 0, 0.6}, 0.6, kStep);
+  truth.add_sphere({1, 0.4, 0.8}, 0.8, kStep);
+  EXPECT_LT(truth.flipped(normals_of(truth)), 0.02);
 }
 
 TEST(Orientation, OfAThinPlate) {
-  Truth truth;
+  SidedPoints truth;
   add_box(truth, {0, 0, 0}, {1.2, 1.2, 2.0 * kStep}, true);
-  EXPECT_LT(flipped(truth, normals_of(truth)), kFewAtEdges);
+  EXPECT_LT(truth.flipped(normals_of(truth)), kFewAtEdges);
 }
 
 // A spanning tree takes either sheet for what encloses the other.
 TEST(Orientation, OfAThickShellWithoutARim) {
-  Truth truth;
+  SidedPoints truth;
   const auto keep_bowl = [&truth](std::size_t from) {
     for (std::size_t i = truth.points.size(); i-- > from;) {
       if (truth.points.positions[i].z < 0.3) continue;
@@ -158,62 +129,62 @@ TEST(Orientation, OfAThickShellWithoutARim) {
       truth.sides.erase(truth.sides.begin() + static_cast<std::ptrdiff_t>(i));
     }
   };
-  add_sphere(truth, {0, 0, 0}, 1.0);
+  truth.add_sphere({0, 0, 0}, 1.0, kStep);
   keep_bowl(0);
   const std::size_t inner = truth.points.size();
-  add_sphere(truth, {0, 0, 0}, 0.8);
+  truth.add_sphere({0, 0, 0}, 0.8, kStep);
   keep_bowl(inner);
   for (std::size_t i = inner; i < truth.sides.size(); ++i) truth.sides[i] = -truth.sides[i];
-  EXPECT_EQ(flipped(truth, normals_of(truth)), 0.0);
+  EXPECT_EQ(truth.flipped(normals_of(truth)), 0.0);
 }
 
 TEST(Orientation, DoesNotDependOnThreads) {
-  Truth truth = ground();
-  add_sphere(truth, {0, 0, 0.8}, 0.8);
+  SidedPoints truth = ground();
+  truth.add_sphere({0, 0, 0.8}, 0.8, kStep);
   const std::vector<glm::vec3> normals = normals_of(truth);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(normals_of(truth), normals);
 }
 
 /// A roof above a ground: nothing but the scanner tells the sides of both.
-Truth roof() {
-  Truth truth = ground();
+SidedPoints roof() {
+  SidedPoints truth = ground();
   add_square(truth, {0, 0, 1.5}, {1, 0, 0}, {0, 1, 0});
   return truth;
 }
 
 TEST(Orientation, UpIsAsAskedFor) {
-  const Truth truth = roof();
-  EXPECT_EQ(flipped(truth, normals_of(truth, {.side = NormalSide::Up})), 0.0);
+  const SidedPoints truth = roof();
+  EXPECT_EQ(truth.flipped(normals_of(truth, {.side = NormalSide::Up})), 0.0);
 }
 
 TEST(Orientation, OfAnAirborneScanIsUp) {
-  Truth truth = roof();
+  SidedPoints truth = roof();
   truth.points.is_airborne = true;
-  EXPECT_EQ(flipped(truth, normals_of(truth)), 0.0);
+  EXPECT_EQ(truth.flipped(normals_of(truth)), 0.0);
 }
 
 // A guess that a scan is airborne must not turn what is seen from below.
 TEST(Orientation, OfBoxesThatLookAirborneIsKept) {
-  Truth truth = ground();
+  SidedPoints truth = ground();
   add_box(truth, {0, 0, 1.2}, {1, 1, 0.4}, true);
   truth.points.is_airborne = true;
-  EXPECT_LT(flipped(truth, normals_of(truth)), kFewAtEdges);
+  EXPECT_LT(truth.flipped(normals_of(truth)), kFewAtEdges);
 }
 
 TEST(Orientation, TowardIsAsAskedFor) {
-  Truth truth = roof();
+  SidedPoints truth = roof();
   const glm::dvec3 between(0.2, 0.1, 0.7);
   for (std::size_t i = 0; i < truth.sides.size(); ++i)
     truth.sides[i] = glm::vec3(between - truth.points.positions[i]);
   const SideChoice toward{NormalSide::Toward, between};
-  EXPECT_EQ(flipped(truth, normals_of(truth, toward)), 0.0);
+  EXPECT_EQ(truth.flipped(normals_of(truth, toward)), 0.0);
   truth.points.viewpoint = between;
-  EXPECT_EQ(flipped(truth, normals_of(truth)), 0.0);
+  EXPECT_EQ(truth.flipped(normals_of(truth)), 0.0);
 }
 
 TEST(Orientation, IsTowardEachPointsOwnScanner) {
-  Truth truth = roof();
+  SidedPoints truth = roof();
   truth.points.scanners = {{0, 0, 0.7}, {0, 0, 3}};
   for (const glm::dvec3& p : truth.points.positions)
     truth.points.scanner_of.push_back(p.z > 1.0 && p.x > 0.5 ? 1 : 0);
@@ -221,14 +192,14 @@ TEST(Orientation, IsTowardEachPointsOwnScanner) {
     truth.sides[i] =
         glm::vec3(truth.points.scanners[truth.points.scanner_of[i]] - truth.points.positions[i]);
   }
-  EXPECT_EQ(flipped(truth, normals_of(truth)), 0.0);
+  EXPECT_EQ(truth.flipped(normals_of(truth)), 0.0);
 }
 
 TEST(Orientation, AskedForTurnsGivenNormals) {
-  Truth truth = ground();
+  SidedPoints truth = ground();
   truth.points.normals.assign(truth.points.size(), glm::vec3(0, 0, -1));
-  EXPECT_EQ(flipped(truth, normals_of(truth)), 1.0);
-  EXPECT_EQ(flipped(truth, normals_of(truth, {.side = NormalSide::Up})), 0.0);
+  EXPECT_EQ(truth.flipped(normals_of(truth)), 1.0);
+  EXPECT_EQ(truth.flipped(normals_of(truth, {.side = NormalSide::Up})), 0.0);
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
 #include <utility>
 
 #include "common/bounds.h"
@@ -14,54 +12,25 @@
 #include "preprocess/normals/refine_sides.h"
 #include "preprocess/normals/side_pieces.h"
 #include "preprocess/normals/winding_numbers.h"
+#include "tests/preprocess/normals/sided_points.h"
 
 namespace relief {
 namespace {
 
-/// Points of bodies with known sides, and their neighbours.
-struct Bodies {
-  Points points;
-  std::vector<glm::vec3> sides;
+/// Bodies with known sides, and their points' neighbours.
+struct Bodies : test::SidedPoints {
   NeighbourGraph graph;
-
-  /// A sphere as evenly covered as by sunflower seeds.
-  void add_sphere(glm::dvec3 centre, double radius, double spacing) {
-    const int count =
-        static_cast<int>(4.0 * std::numbers::pi * radius * radius / (spacing * spacing));
-    for (int i = 0; i < count; ++i) {
-      const double z = 1.0 - 2.0 * (i + 0.5) / count;
-      const double turn = std::numbers::pi * (1.0 + std::sqrt(5.0)) * i;
-      const double r = std::sqrt(1.0 - z * z);
-      add(centre, radius, {r * std::cos(turn), r * std::sin(turn), z});
-    }
-  }
 
   /// A level square about the origin.
   void add_ground(double half, double spacing) {
     const int across = static_cast<int>(2.0 * half / spacing);
     for (int j = 0; j <= across; ++j) {
-      for (int i = 0; i <= across; ++i) {
-        points.positions.emplace_back(i * spacing - half, j * spacing - half, 0.0);
-        sides.emplace_back(0.0F, 0.0F, 1.0F);
-      }
+      for (int i = 0; i <= across; ++i)
+        add({i * spacing - half, j * spacing - half, 0.0}, {0.0, 0.0, 1.0});
     }
   }
 
   void find_graph() { graph = find_neighbours(points.positions, kSurfaceNeighbours); }
-
-  /// The share of normals that face away from their sides.
-  [[nodiscard]] double flipped(const std::vector<glm::vec3>& normals) const {
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < normals.size(); ++i)
-      wrong += glm::dot(normals[i], sides[i]) < 0.0F ? 1 : 0;
-    return static_cast<double>(wrong) / static_cast<double>(normals.size());
-  }
-
- private:
-  void add(glm::dvec3 centre, double radius, glm::dvec3 side) {
-    points.positions.push_back(centre + radius * side);
-    sides.emplace_back(side);
-  }
 };
 
 Bodies ball() {
