@@ -40,7 +40,7 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 9\nspacing {} cone {} overlap {} step {} colours {} side {} {} {} {}\n"
+      "relief {} tiles 10\nspacing {} cone {} overlap {} step {} colours {} side {} {} {} {}\n"
       "codec {} normals {}\ntile {}\nread {} {} {} scalars {}\n",
       kVersion, options.spacing, options.cone_degrees,
       options.seams.value_or(false) ? -1 : options.overlap_cells, options.height_step,

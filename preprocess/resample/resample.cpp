@@ -15,6 +15,7 @@
 #include "preprocess/resample/borders/end_at_border.h"
 #include "preprocess/resample/borders/foreign_nodes.h"
 #include "preprocess/resample/mls.h"
+#include "preprocess/resample/other_sheets.h"
 #include "preprocess/resample/scalars.h"
 #include "preprocess/resample/store_heights.h"
 
@@ -130,6 +131,7 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
   if (is_at_density_step(points, own_spacing)) points.least_of_others = own_spacing;
   const double bucket = bucket_side(points, options.spacing);
   const PointGrid own(points, points.own, bucket);
+  drop_other_sheets(own, points);
   const PointGrid supporting(points, points.supporting, bucket);
   const PointGrid all(points, points.size(), bucket);
 
