@@ -15,6 +15,7 @@
 #include "preprocess/resample/borders/end_at_border.h"
 #include "preprocess/resample/borders/foreign_nodes.h"
 #include "preprocess/resample/mls.h"
+#include "preprocess/resample/node_support.h"
 #include "preprocess/resample/other_sheets.h"
 #include "preprocess/resample/scalars.h"
 #include "preprocess/resample/store_heights.h"
@@ -26,6 +27,10 @@ namespace {
 constexpr double kFitReachInSpacings = 2.5;
 // How far from a node the points of a crease's two sides are looked for.
 constexpr double kCreaseReachInSpacings = 2.5;
+
+// Samples are no farther from the nearest point than this, in the coarser spacing of scan and grid:
+// as far as a point that counts as covered is from samples (kUncoveredInSpacings).
+constexpr double kFarthestSample = 2.0;
 
 // Rings of nodes beyond a region's own that neighbours may be met in, at most.
 constexpr double kMostRings = 8.0;
@@ -111,6 +116,36 @@ int rings_to_others(const ScanSurface& scan, const Region& region, const Resampl
   return static_cast<int>(std::clamp(rings, double{1}, kMostRings));
 }
 
+/// Evaluates the surface at all nodes but holes. Nodes that would be far from every point become
+/// holes: the surface is steep there, or the points are scattered.
+std::vector<MlsPoint> evaluate_nodes(const PatchPoints& points, const PointGrid& supporting,
+                                     const PointGrid& all, const PatchGrid& grid,
+                                     bool with_given_normals, FitCensus* census,
+                                     std::vector<NodeState>& states) {
+  std::vector<MlsPoint> surface(grid.size());
+  FitSummary fits;
+  for (std::size_t m = 0; m < states.size(); ++m) {
+    if (states[m] == NodeState::Hole) continue;
+    const double x = grid.x0 + static_cast<double>(m % grid.width) * grid.spacing;
+    const double y = grid.y0 + static_cast<double>(m / grid.width) * grid.spacing;
+    MlsPoint& at = surface[m];
+    at = evaluate_mls(points, supporting, all, x, y, grid.spacing, with_given_normals);
+    // Nearly all nodes are near the point that the fit began with.
+    if (at.to_nearest > kFarthestSample * grid.spacing &&
+        !is_near_a_point(points, all, {x, y, at.height}, kFarthestSample, grid.spacing)) {
+      states[m] = NodeState::Hole;
+      continue;
+    }
+    fits += {1, at.is_replaced ? 1U : 0U, at.condition};
+  }
+  if (census != nullptr) census->add(fits);
+  return surface;
+}
+
+bool has_samples(const std::vector<NodeState>& states) {
+  return std::ranges::count(states, NodeState::Hole) < std::ssize(states);
+}
+
 /// Whether points of other regions are much denser than a region's own.
 bool is_at_density_step(const PatchPoints& points, float own_spacing) {
   return std::any_of(points.spacing.begin() + static_cast<std::ptrdiff_t>(points.own),
@@ -146,18 +181,9 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
   patch.height = grid.height;
   if (grid.width == 0 || grid.height == 0) return patch;
 
-  std::vector<MlsPoint> surface(grid.size());
-  FitSummary fits;
-  for (std::size_t m = 0; m < states.size(); ++m) {
-    if (states[m] == NodeState::Hole) continue;
-    const auto i = static_cast<std::uint32_t>(m % grid.width);
-    const auto j = static_cast<std::uint32_t>(m / grid.width);
-    surface[m] = evaluate_mls(points, supporting, all, grid.x0 + i * grid.spacing,
-                              grid.y0 + j * grid.spacing, grid.spacing,
-                              options.normals != NormalSource::Fits);
-    fits += {1, surface[m].is_replaced ? 1U : 0U, surface[m].condition};
-  }
-  if (scan.fits != nullptr) scan.fits->add(fits);
+  std::vector<MlsPoint> surface = evaluate_nodes(
+      points, supporting, all, grid, options.normals != NormalSource::Fits, scan.fits, states);
+  if (!has_samples(states)) return {};
   const std::vector<NodeState> with_margin = states;
   if (options.seams) {
     const double reach = kCreaseReachInSpacings * bucket;
@@ -169,7 +195,7 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
                         .of_others = scan.membership.of_others,
                         .is_cut_later = scan.is_cut_later},
                        grid, surface, states);
-    if (std::ranges::count(states, NodeState::Hole) == std::ssize(states)) return {};
+    if (!has_samples(states)) return {};
   }
 
   std::vector<double> heights;
