@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -301,6 +302,28 @@ TEST(Resample, OverlapsWhereABorderIsSteepForBothPatches) {
   }
   // One cell more on its base plane, which on the plane is 1 / cos 64 degrees = 2.3 times as long.
   EXPECT_NEAR(inward, 2.3 * kStep, 0.2 * kStep);
+}
+
+TEST(Resample, PutsNoSampleFarFromEveryPoint) {
+  // A flat scan with wrong normals, whose tangent planes leave it beyond its border.
+  Points flat = test::sample_height_field(0.4, kStep, [](double, double) { return 0.0; });
+  flat.normals.assign(flat.size(), glm::normalize(glm::vec3(5.0F, 0.0F, 1.0F)));
+  Partitioned scan(flat);
+  Region all{{}, {0.0F, 0.0F, 1.0F}};
+  for (std::uint32_t i = 0; i < flat.size(); ++i) all.points.push_back(i);
+  scan.regions = {all};
+  const Patch patch = scan.patches(options_for(kStep)).front();
+  const double widest = std::ranges::max(scan.graph.spacing);  // at the border
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      if (patch.at(i, j) == kHole) continue;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const glm::dvec3& p : flat.positions)
+        nearest = std::min(nearest, glm::distance(p, world_of(patch, i, j)));
+      EXPECT_LE(nearest, 2.0 * widest);
+    }
+  }
+  EXPECT_GT(count_samples(patch), flat.size() * 9 / 10);
 }
 
 TEST(Resample, WidensTheStepWhere16BitsDoNotHoldTheHeights) {
