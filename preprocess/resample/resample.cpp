@@ -28,9 +28,9 @@ constexpr double kFitReachInSpacings = 2.5;
 // How far from a node the points of a crease's two sides are looked for.
 constexpr double kCreaseReachInSpacings = 2.5;
 
-// Samples are no farther from the nearest point than this, in the coarser spacing of scan and grid:
-// as far as a point that counts as covered is from samples (kUncoveredInSpacings).
-constexpr double kFarthestSample = 2.0;
+// Samples are no farther from the nearest point than this, in the coarser spacing of scan and grid.
+// With 2, a scan of random points has a tenth more holes (docs/decisions/0153).
+constexpr double kFarthestSample = 3.0;
 
 // Rings of nodes beyond a region's own that neighbours may be met in, at most.
 constexpr double kMostRings = 8.0;
