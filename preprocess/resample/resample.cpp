@@ -126,8 +126,10 @@ std::vector<MlsPoint> evaluate_nodes(const PatchPoints& points, const PointGrid&
   FitSummary fits;
   for (std::size_t m = 0; m < states.size(); ++m) {
     if (states[m] == NodeState::Hole) continue;
-    const double x = grid.x0 + static_cast<double>(m % grid.width) * grid.spacing;
-    const double y = grid.y0 + static_cast<double>(m / grid.width) * grid.spacing;
+    const std::size_t i = m % grid.width;
+    const std::size_t j = m / grid.width;
+    const double x = grid.x0 + static_cast<double>(i) * grid.spacing;
+    const double y = grid.y0 + static_cast<double>(j) * grid.spacing;
     MlsPoint& at = surface[m];
     at = evaluate_mls(points, supporting, all, x, y, grid.spacing, with_given_normals);
     // Nearly all nodes are near the point that the fit began with.
