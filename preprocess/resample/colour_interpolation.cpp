@@ -34,8 +34,6 @@ constexpr double kNoise = 0.02;
 constexpr double kRidge = 1e-2;
 /// Assumed distance of coinciding points, in spacings: they count as their mean.
 constexpr double kNugget = 0.02;
-/// Slopes are limited to 84 degrees, like those of tangent planes.
-constexpr float kMinCosine = 0.1F;
 
 using Weights = std::array<double, kMaxPoints>;
 using Equations = Eigen::Matrix<double, kMaxPoints - 1, kMaxPoints - 1>;
@@ -43,7 +41,7 @@ using RightSide = Eigen::Matrix<double, kMaxPoints - 1, 1>;
 
 /// Maps offsets on the base plane to offsets along a surface with this normal, up to a rotation.
 glm::dmat2 along_surface(glm::vec3 normal) {
-  const glm::dvec2 slope = glm::dvec2(normal) / double{std::max(normal.z, kMinCosine)};
+  const glm::dvec2 slope = slope_of(normal);
   const double squared = glm::dot(slope, slope);
   if (squared < 1e-12) return glm::dmat2(1.0);
   const double stretch = (std::sqrt(1.0 + squared) - 1.0) / squared;

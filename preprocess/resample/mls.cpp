@@ -175,7 +175,7 @@ MlsPoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32_t n
                                  kScaleInGridSpacings * spacing, 0.6 * to_nearest});
 
   Sums<kValues> sums = accumulate<kValues>(points, lookup, about, scale, normal, like);
-  if (!(sums.weight > 0.0)) return {about.z, normal, normal, true, 1.0, to_nearest};
+  if (!(sums.weight > 0.0)) return {about.z, normal, normal, true, 1.0, nearest};
   for (std::size_t d = 3; d < 6; ++d) sums.normal_matrix[d][d] += kFitRidge * sums.weight;
   for (std::size_t d = 1; d < 3; ++d) sums.normal_matrix[d][d] += 1e-6 * sums.weight;
   const FitEquations equations(sums.normal_matrix);
@@ -191,7 +191,7 @@ MlsPoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32_t n
   out.is_replaced = !sound;
   out.condition = equations.condition();
   out.height = about.z + (sound ? height[0] * scale : implicit);
-  out.to_nearest = glm::distance(glm::dvec3(at, out.height), points.positions[nearest]);
+  out.nearest = nearest;
   out.fitted_normal = sound ? unit_or_up(glm::vec3(-height[1], -height[2], 1.0)) : mean;
   if constexpr (kValues > 1) {
     // A mean is biased towards the denser side; the fitted value is not.

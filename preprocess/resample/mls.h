@@ -16,8 +16,8 @@ struct MlsPoint {
   /// The fit left the points' own tangent planes, or there were too few points: the height is the
   /// mean of those planes' (or the nearest's), the normal that of the points.
   bool is_replaced = false;
-  double condition = 1.0;   ///< of the fit's equations (FitEquations::condition)
-  double to_nearest = 0.0;  ///< distance in space to the point that gave the first estimate
+  double condition = 1.0;                    ///< of the fit's equations (FitEquations::condition)
+  std::uint32_t nearest = PointGrid::kNone;  ///< that gave the first estimate
 };
 
 /// Evaluates the surface above (x, y): a polynomial of order 2 in the plane's coordinates, fitted

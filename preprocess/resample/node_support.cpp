@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "preprocess/resample/sectors.h"
@@ -125,17 +124,6 @@ void NodeSupport::for_nodes_within(glm::dvec3 point, double radius, const Fn& fn
       if (dx * dx + dy * dy <= radius * radius) fn(octants, i, j, dx, dy);
     }
   }
-}
-
-bool is_near_a_point(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 at,
-                     double reach, double spacing) {
-  const double widest = std::max<double>(spacing, std::ranges::max(points.spacing));
-  bool is_near = false;
-  lookup.for_each_within(at.x, at.y, reach * widest, [&](std::uint32_t p, double) {
-    const double own_reach = reach * std::max<double>(spacing, points.spacing[p]);
-    is_near |= glm::distance(points.positions[p], at) <= own_reach;
-  });
-  return is_near;
 }
 
 NodeSupport::NodeSupport(const PatchPoints& points, const PointGrid& lookup, const PatchGrid& grid)

@@ -23,11 +23,6 @@ inline constexpr double kReachInSpacings = 0.9;
 [[nodiscard]] bool is_surrounded(const PatchPoints& points, const PointGrid& lookup, double x,
                                  double y, double spacing);
 
-/// Returns whether a point of `lookup` lies within `reach` of a position in space, in the coarser
-/// of its own spacing and the grid's.
-[[nodiscard]] bool is_near_a_point(const PatchPoints& points, const PointGrid& lookup,
-                                   glm::dvec3 at, double reach, double spacing);
-
 /// Tests the support of a grid's nodes, much faster if most nodes are tested. Each point marks, at
 /// the nodes around it, the octant of directions in which it lies. This decides nodes amid points
 /// and far from them; only nodes along borders need the full test.

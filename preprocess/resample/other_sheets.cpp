@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 
@@ -14,19 +15,13 @@ constexpr double kLeastRise = 1.8;
 
 constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 
-/// The tangent of the slope that a normal has, at most that of 84 degrees, the limit of regions.
-double rise_of(glm::vec3 n) {
-  constexpr double min_cosine = 0.1;
-  return std::hypot(n.x, n.y) / std::max(static_cast<double>(n.z), min_cosine);
-}
-
 /// Whether a point continues the sheet of one of the region's own.
 bool continues(const PatchPoints& points, std::uint32_t own, std::size_t p) {
   const glm::dvec3 d = points.positions[p] - points.positions[own];
-  const double rise =
-      std::max({kLeastRise, rise_of(points.normals[own]), rise_of(points.normals[p])});
+  const double rise = std::max({kLeastRise, glm::length(slope_of(points.normals[own])),
+                                glm::length(slope_of(points.normals[p]))});
   const double spacing = std::max(points.spacing[own], points.spacing[p]);
-  return std::abs(d.z) <= rise * (std::hypot(d.x, d.y) + spacing);
+  return std::abs(d.z) <= rise * (glm::length(glm::dvec2(d)) + spacing);
 }
 
 template <class T>

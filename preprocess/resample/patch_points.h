@@ -38,14 +38,20 @@ struct PatchPoints {
   [[nodiscard]] std::size_t size() const { return ids.size(); }
 };
 
-/// Returns the height of a point's tangent plane above (x, y), for slopes up to 84 degrees.
+/// The cosine of 84 degrees, the limit of all regions: slopes count as no steeper.
+inline constexpr float kSteepestCosine = 0.1F;
+
+/// Returns the gradient of a plane's height over the base plane.
+[[nodiscard]] inline glm::dvec2 slope_of(glm::vec3 normal) {
+  return glm::dvec2(normal) / double{std::max(normal.z, kSteepestCosine)};
+}
+
+/// Returns the height of a point's tangent plane above (x, y).
 [[nodiscard]] inline double tangent_height(const PatchPoints& points, std::uint32_t point, double x,
                                            double y) {
-  // The cosine of 84 degrees, the limit of all regions.
-  constexpr float min_cosine = 0.1F;
   const glm::dvec3 p = points.positions[point];
   const glm::vec3 n = points.normals[point];
-  const double steep = std::max(n.z, min_cosine);
+  const double steep = std::max(n.z, kSteepestCosine);
   return p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / steep;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -15,7 +16,6 @@
 #include "preprocess/resample/borders/end_at_border.h"
 #include "preprocess/resample/borders/foreign_nodes.h"
 #include "preprocess/resample/mls.h"
-#include "preprocess/resample/node_support.h"
 #include "preprocess/resample/other_sheets.h"
 #include "preprocess/resample/scalars.h"
 #include "preprocess/resample/store_heights.h"
@@ -122,6 +122,19 @@ std::vector<MlsPoint> evaluate_nodes(const PatchPoints& points, const PointGrid&
                                      const PointGrid& all, const PatchGrid& grid,
                                      bool with_given_normals, FitCensus* census,
                                      std::vector<NodeState>& states) {
+  const auto reach_of = [&grid](float spacing) {
+    return kFarthestSample * std::max<double>(grid.spacing, spacing);
+  };
+  const auto is_near = [&](std::uint32_t p, glm::dvec3 at) {
+    return glm::distance(points.positions[p], at) <= reach_of(points.spacing[p]);
+  };
+  const double widest = reach_of(std::ranges::max(points.spacing));
+  const auto is_near_any = [&](glm::dvec3 at) {
+    bool any = false;
+    all.for_each_within(at.x, at.y, widest,
+                        [&](std::uint32_t p, double) { any |= is_near(p, at); });
+    return any;
+  };
   std::vector<MlsPoint> surface(grid.size());
   FitSummary fits;
   for (std::size_t m = 0; m < states.size(); ++m) {
@@ -132,9 +145,9 @@ std::vector<MlsPoint> evaluate_nodes(const PatchPoints& points, const PointGrid&
     const double y = grid.y0 + static_cast<double>(j) * grid.spacing;
     MlsPoint& at = surface[m];
     at = evaluate_mls(points, supporting, all, x, y, grid.spacing, with_given_normals);
+    const glm::dvec3 place(x, y, at.height);
     // Nearly all nodes are near the point that the fit began with.
-    if (at.to_nearest > kFarthestSample * grid.spacing &&
-        !is_near_a_point(points, all, {x, y, at.height}, kFarthestSample, grid.spacing)) {
+    if (at.nearest != PointGrid::kNone && !is_near(at.nearest, place) && !is_near_any(place)) {
       states[m] = NodeState::Hole;
       continue;
     }

@@ -9,6 +9,7 @@
 
 #include "preprocess/resample/resample.h"
 #include "tests/preprocess/prepared.h"
+#include "tests/preprocess/resample/laid_points.h"
 
 namespace relief {
 namespace {
@@ -18,10 +19,7 @@ constexpr float kSpacing = 0.02F;
 TEST(OtherSheets, AreFarAboveOrBelowWhatTheirSlopesAllow) {
   PatchPoints points;
   const auto add = [&points](glm::dvec3 position, glm::vec3 normal) {
-    points.ids.push_back(static_cast<std::uint32_t>(points.ids.size()));
-    points.positions.push_back(double{kSpacing} * position);
-    points.normals.push_back(glm::normalize(normal));
-    points.spacing.push_back(kSpacing);
+    test::lay_point(points, double{kSpacing} * position, glm::normalize(normal), kSpacing);
   };
   for (int j = -5; j <= 5; ++j) {
     for (int i = -5; i <= 5; ++i) add({i, j, 0.0}, {0, 0, 1});
@@ -54,13 +52,13 @@ struct Spiral {
   static constexpr double kRise = 5.0 * kSpacing;  // a turn
   static double height(double angle) { return kRise * angle / (2.0 * std::numbers::pi); }
 
-  /// From -`turns` to `turns`, one to eight spacings from the axis.
-  static Points points(double turns) {
+  /// Two turns, one to eight spacings from the axis.
+  static Points points() {
     Points scan;
     for (int ring = 1; ring <= 8; ++ring) {
       const double radius = ring * double{kSpacing};
       const double slope = height(1.0) / radius;
-      for (double angle = -2.0 * turns * std::numbers::pi; angle < 2.0 * turns * std::numbers::pi;
+      for (double angle = -2.0 * std::numbers::pi; angle < 2.0 * std::numbers::pi;
            angle += 1.0 / ring) {
         const glm::dvec2 at(std::cos(angle), std::sin(angle));
         scan.positions.emplace_back(radius * at, height(angle));
@@ -73,7 +71,7 @@ struct Spiral {
 };
 
 TEST(OtherSheets, OfASpiralDoNotLiftTheTurnBelow) {
-  const test::Prepared scan(Spiral::points(1.0));
+  const test::Prepared scan(Spiral::points());
   std::vector<Region> regions(2);
   for (std::uint32_t i = 0; i < scan.points.size(); ++i)
     regions[scan.points.positions[i].z < 0.0 ? 0 : 1].points.push_back(i);
@@ -88,9 +86,7 @@ TEST(OtherSheets, OfASpiralDoNotLiftTheTurnBelow) {
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       if (patch.at(i, j) == kHole) continue;
-      const glm::dvec3 p =
-          patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing,
-                                                 patch.at(i, j) * patch.height_step);
+      const glm::dvec3 p = position_of(patch, i, j);
       const double radius = glm::length(glm::dvec2(p));
       const double angle = std::atan2(p.y, p.x);
       const double turn = angle > 0.0 ? angle - 2.0 * std::numbers::pi : angle;

@@ -10,7 +10,6 @@
 #include "common/octahedral.h"
 #include "preprocess/measure.h"
 #include "preprocess/resample/attributes.h"
-#include "preprocess/resample/mls.h"
 #include "tests/preprocess/prepared.h"
 #include "tests/preprocess/surfaces.h"
 
@@ -39,11 +38,6 @@ struct Partitioned : test::Prepared {
   std::vector<Region> regions;
 };
 
-glm::dvec3 world_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
-  return patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing,
-                                                patch.at(i, j) * patch.height_step);
-}
-
 struct Deviation {
   double distance = 0.0;       // largest, world units
   double angle_degrees = 0.0;  // largest
@@ -61,7 +55,7 @@ Deviation worst_deviation(const std::vector<Patch>& patches, const Surface& surf
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
-        const glm::dvec3 p = world_of(patch, i, j);
+        const glm::dvec3 p = position_of(patch, i, j);
         const glm::vec3 local =
             unit_from_snorm16(patch.normals.texels[std::size_t{j} * patch.width + i]);
         const glm::dvec3 n = patch.axes * glm::dvec3(local);
@@ -78,94 +72,6 @@ Deviation worst_deviation(const std::vector<Patch>& patches, const Surface& surf
 
 ResampleOptions options_for(double spacing) {
   return {spacing, spacing / 20.0, 1, 1, false};
-}
-
-TEST(Mls, ReproducesAQuadricExactly) {
-  const auto height = [](double x, double y) {
-    return 0.3 + 0.2 * x - 0.1 * y + 0.5 * x * x - 0.4 * x * y + 0.3 * y * y;
-  };
-  const Partitioned scan(test::sample_height_field(0.5, kStep, height));
-  Region all;
-  all.normal = {0, 0, scan.points.normals[0].z > 0.0F ? 1 : -1};
-  for (std::uint32_t i = 0; i < scan.points.size(); ++i) all.points.push_back(i);
-  const PatchPoints points = collect_patch_points(scan.samples(), scan.graph, all, {}, 0.0);
-  const PointGrid lookup(points, points.size(), kStep);
-  for (const glm::dvec2 at : {glm::dvec2(0, 0), glm::dvec2(0.13, -0.21), glm::dvec2(-0.3, 0.3)}) {
-    const MlsPoint surface = evaluate_mls(points, lookup, lookup, at.x, at.y, kStep, true);
-    const glm::dvec3 world =
-        points.frame.origin + points.frame.axes * glm::dvec3(at.x, at.y, surface.height);
-    // The ridge of 0.2 % on the second order is all that is left: curvature 1 over one spacing is
-    // 0.0002, of which less than a hundredth may be lost.
-    EXPECT_NEAR(world.z, height(world.x, world.y), 2e-6);
-  }
-}
-
-TEST(Mls, AWallFarBelowThatIsSeenEdgeOnIsNoEstimate) {
-  // The surface is z = 0, whose points support samples; the wall x = 0.51 steps, from 3 to 12 steps
-  // below, only steadies fits, but is nearest on the base plane along a line of places.
-  PatchPoints points;
-  const auto add = [&points](glm::dvec3 position, glm::vec3 normal) {
-    points.ids.push_back(static_cast<std::uint32_t>(points.ids.size()));
-    points.positions.push_back(kStep * position);
-    points.normals.push_back(normal);
-    points.spacing.push_back(static_cast<float>(kStep));
-  };
-  for (int j = -10; j <= 10; ++j) {
-    for (int i = -10; i <= 10; ++i) add({i, j, 0.0}, {0.0F, 0.0F, 1.0F});
-  }
-  points.own = points.supporting = points.size();
-  for (int j = -10; j <= 10; ++j) {
-    for (int k = 3; k <= 12; ++k) add({0.51, j, -k}, {0.995F, 0.0F, 0.0998F});
-  }
-  const PointGrid supporting(points, points.supporting, kStep);
-  const PointGrid all(points, points.size(), kStep);
-  for (double y = -3.0; y <= 3.0; y += 0.25) {
-    const MlsPoint surface =
-        evaluate_mls(points, supporting, all, 0.5 * kStep, y * kStep, kStep, true);
-    EXPECT_NEAR(surface.height, 0.0, 1e-9) << y;
-    EXPECT_GT(surface.fitted_normal.z, 0.999999F) << y;
-  }
-}
-
-/// Points with one normal, all of which support samples; in steps.
-PatchPoints points_at(const std::vector<glm::dvec3>& positions, glm::vec3 normal = {0, 0, 1}) {
-  PatchPoints points;
-  for (const glm::dvec3& position : positions) {
-    points.ids.push_back(static_cast<std::uint32_t>(points.ids.size()));
-    points.positions.push_back(kStep * position);
-    points.normals.push_back(normal);
-    points.spacing.push_back(static_cast<float>(kStep));
-  }
-  points.own = points.supporting = points.size();
-  return points;
-}
-
-MlsPoint fit_at_origin(const PatchPoints& points) {
-  const PointGrid grid(points, points.size(), kStep);
-  return evaluate_mls(points, grid, grid, 0.0, 0.0, kStep, false);
-}
-
-TEST(Mls, TellsHowWellPointsBearAFit) {
-  std::vector<glm::dvec3> sheet;
-  std::vector<glm::dvec3> line;
-  std::vector<glm::dvec3> beside;
-  for (int i = -5; i <= 5; ++i) {
-    line.emplace_back(i, 0.0, 0.0);
-    for (int j = -5; j <= 5; ++j) sheet.emplace_back(i, j, 0.0);
-    for (int j = 1; j <= 5; ++j) beside.emplace_back(j, i, 0.0);
-  }
-  const MlsPoint on_sheet = fit_at_origin(points_at(sheet));
-  EXPECT_FALSE(on_sheet.is_replaced);
-  EXPECT_LT(on_sheet.condition, 100.0);
-  // Ridges of a millionth bound it.
-  const MlsPoint on_line = fit_at_origin(points_at(line));
-  EXPECT_FALSE(on_line.is_replaced);
-  EXPECT_GT(on_line.condition, 1e5);
-  EXPECT_LT(on_line.condition, 1e7);
-  // The positions go on level, the normals say upward.
-  EXPECT_FALSE(fit_at_origin(points_at(beside)).is_replaced);
-  EXPECT_TRUE(fit_at_origin(points_at(beside, {0.7F, 0.0F, 0.714F})).is_replaced);
-  EXPECT_TRUE(fit_at_origin(points_at({{100.0, 0.0, 0.0}})).is_replaced);
 }
 
 TEST(Resample, PutsSamplesOnTheSphere) {
@@ -208,7 +114,7 @@ TEST(Resample, KeepsToTheBorderOfAnOpenScan) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
-        const glm::dvec3 p = world_of(patch, i, j);
+        const glm::dvec3 p = position_of(patch, i, j);
         EXPECT_GT(p.x, low.x - kStep);
         EXPECT_GT(p.y, low.y - kStep);
         EXPECT_LT(p.x, high.x + kStep);
@@ -229,7 +135,7 @@ TEST(Resample, LeavesGapsOfTheScanOpen) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
-        const glm::dvec3 p = world_of(patch, i, j);
+        const glm::dvec3 p = position_of(patch, i, j);
         EXPECT_GT(std::hypot(p.x, p.y), kGap / 2.0 - kStep);
       }
     }
@@ -295,7 +201,7 @@ TEST(Resample, OverlapsWhereABorderIsSteepForBothPatches) {
     const Patch patch = scan.patches(options).front();
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
-        if (patch.at(i, j) != kHole) furthest = std::max(furthest, world_of(patch, i, j).x);
+        if (patch.at(i, j) != kHole) furthest = std::max(furthest, position_of(patch, i, j).x);
       }
     }
     inward = furthest - inward;
@@ -319,7 +225,7 @@ TEST(Resample, PutsNoSampleFarFromEveryPoint) {
       if (patch.at(i, j) == kHole) continue;
       double nearest = std::numeric_limits<double>::infinity();
       for (const glm::dvec3& p : flat.positions)
-        nearest = std::min(nearest, glm::distance(p, world_of(patch, i, j)));
+        nearest = std::min(nearest, glm::distance(p, position_of(patch, i, j)));
       EXPECT_LE(nearest, 3.0 * widest);
     }
   }

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "preprocess/resample/node_support.h"
+#include "tests/preprocess/resample/laid_points.h"
 
 namespace relief {
 namespace {
@@ -17,12 +18,8 @@ namespace {
 class Columns {
  public:
   void add(double x) {
-    for (int y = 0; y < kRows; ++y) {
-      points.ids.push_back(static_cast<std::uint32_t>(points.positions.size()));
-      points.positions.emplace_back(x, y, 0.0);
-      points.normals.emplace_back(0.0F, 0.0F, 1.0F);
-      points.spacing.push_back(kScanSpacing);
-    }
+    for (int y = 0; y < kRows; ++y)
+      test::lay_point(points, {x, y, 0.0}, {0.0F, 0.0F, 1.0F}, kScanSpacing);
   }
 
   /// The states of the nodes in the middle row at x = 0, 1, ... 9.
