@@ -2,12 +2,13 @@
 """A random flight over a file in a window of `relief view`: its memory, and its stills.
 
     scripts/viewer_flight.py build/release/cli/relief 60m.relief --minutes 10
-    scripts/viewer_flight.py build/release/cli/relief 60m.relief --minutes 3 -- --gpu-memory 3G --memory 2G
+    scripts/viewer_flight.py build/release/cli/relief 60m.relief --minutes 3 -- --gpu-memory 1G
 
 A hand of real input events (Xvfb, xdotool) orbits, pans, zooms, flies and rests; the same seed makes
 the same moves. Prints the process's memory minute by minute, its peak, and for each still how the
-window differs from `relief render` of the same view: holes, pixels that differ, PSNR. Both pictures
-of a still stay in --work. Options after `--` are those of `relief view`.
+window differs from `relief render` of the same view: holes, pixels that differ, PSNR. Where they differ
+a window with more memory shows whether the budget alone is the reason. The pictures of a still stay
+in --work. Options after `--` are those of `relief view`.
 """
 import argparse
 import json
@@ -26,6 +27,8 @@ BACKGROUND = (64, 64, 64)  # of `relief render` and of the window
 BACKGROUND_REACH = 2  # of 255
 COLOUR_REACH = 8  # of 255: a surface of the background's colour is no hole
 OUTLINE = 3  # pixels
+SAME_DB = 60.0  # a few pixels that round otherwise
+ROOM = ("--gpu-memory", "3G", "--memory", "2G")
 
 
 def megabytes(pid, key):
@@ -132,9 +135,23 @@ def render(arguments, camera, size, path, *words):
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
+def pieces_of(pixels):
+    """Sets of pixels that touch each other."""
+    left = set(pixels)
+    while left:
+        piece, open_pixels = set(), [left.pop()]
+        while open_pixels:
+            x, y = open_pixels.pop()
+            piece.add((x, y))
+            beside = {(x + i, y + j) for i in (-1, 0, 1) for j in (-1, 0, 1)} & left
+            left -= beside
+            open_pixels += beside
+        yield piece
+
+
 def compare(shown, truth):
-    """Holes of the picture shown, pixels that differ by more than 1, and PSNR. A hole is the background amid what
-    the truth covers: outlines of coarser surfaces lie elsewhere."""
+    """How the picture shown differs, in words, and its PSNR. Background amid what the truth covers is a hole, or belongs
+    to an outline of a coarser surface if it reaches one of the truth's."""
     is_empty = lambda c: max(abs(a - b) for a, b in zip(c, BACKGROUND)) <= BACKGROUND_REACH
     squares, suspects = 0, []
     for k in range(0, len(truth.pixels), 3):
@@ -149,9 +166,35 @@ def compare(shown, truth):
         return all(not is_empty(truth.at(min(max(x + i, 0), truth.width - 1), min(max(y + j, 0), truth.height - 1)))
                    for i in range(-OUTLINE, OUTLINE + 1) for j in range(-OUTLINE, OUTLINE + 1))
 
-    holes = sum(is_amid(x, y) for x, y in suspects)
+    holes, outlines = 0, 0
+    for piece in pieces_of(suspects):
+        amid = sum(is_amid(x, y) for x, y in piece)
+        holes += amid if amid == len(piece) else 0
+        outlines += amid if amid < len(piece) else 0
     psnr = math.inf if squares == 0 else 10 * math.log10(255 ** 2 * len(truth.pixels) / squares)
-    return holes, difference(shown, truth)[1], psnr
+    return (f"holes {holes}, beside outlines {outlines}, {difference(shown, truth)[1]} of "
+            f"{truth.width * truth.height} pixels differ, {psnr:.1f} dB"), psnr
+
+
+def report(arguments, work, stills, size):
+    """Compares each still with `relief render`, and where it is coarser what a window with room for all shows."""
+    for name, camera in stills:
+        render(arguments, camera, size, f"{name}_render.png")
+        truth = read_png(f"{name}_render.png").crop(0, 0, size[0], size[1] - STATUS_HEIGHT)
+        words, psnr = compare(read_png(f"{name}_window.png"), truth)
+        print(f"{name.name}: {words}", flush=True)
+        if psnr > SAME_DB:
+            continue
+        display = VirtualDisplay(work / "display")
+        try:
+            window = open_window(arguments, [*ROOM, *camera_words(camera)], work, display)
+            try:
+                window.picture().save(f"{name}_room.png")
+            finally:
+                window.close()
+        finally:
+            display.close()
+        print(f"    with {' '.join(ROOM)}: {compare(read_png(f'{name}_room.png'), truth)[0]}", flush=True)
 
 
 def main():
@@ -173,12 +216,7 @@ def main():
         stills, size = fly(arguments, work, display)
     finally:
         display.close()
-    for name, camera in stills:
-        render(arguments, camera, size, f"{name}_render.png")
-        truth = read_png(f"{name}_render.png").crop(0, 0, size[0], size[1] - STATUS_HEIGHT)
-        holes, differing, psnr = compare(read_png(f"{name}_window.png"), truth)
-        print(f"{name.name}: holes {holes}, {differing} of {truth.width * truth.height} pixels differ, {psnr:.1f} dB",
-              flush=True)
+    report(arguments, work, stills, size)
     return 0
 
 

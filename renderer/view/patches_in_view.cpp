@@ -12,6 +12,7 @@
 #include "renderer/engines/onepass/back.h"
 #include "renderer/frame/image_parts.h"
 #include "renderer/shading/materials.h"
+#include "renderer/view/box_in_view.h"
 
 namespace relief {
 namespace {
@@ -26,51 +27,25 @@ constexpr double kReachInCells = 2.0;
 /// An overview has one normal and one colour a sample: farther apart than pixels they would blur.
 constexpr double kPixelsPerOverviewSample = 1.0;
 
-/// A sphere about samples, world frame of the file.
-struct Ball {
-  glm::dvec3 centre{0.0};
-  double radius = 0.0;  ///< less than 0: there are no samples
-};
-
-Ball ball_of(const Bounds& box) {
-  if (box.empty()) return {glm::dvec3(0.0), -1.0};
-  return {(box.min + box.max) / 2.0, glm::distance(box.min, box.max) / 2.0};
+/// Whether samples `spacing` apart, in a box of the file, can be in the image.
+bool sees(const Onlooker& onlooker, const Bounds& box, double spacing) {
+  const double reach = onlooker.transform.scale * kReachInSpacings * spacing;
+  return !box.empty() && sees_box(onlooker.view, {box, onlooker.transform}, reach);
 }
 
-Ball ball_of(const PatchSummary& patch) {
-  if (patch.samples == 0) return {glm::dvec3(0.0), -1.0};
-  const glm::dvec3 low(0.0, 0.0, patch.min_height * patch.height_step);
-  const glm::dvec3 high((patch.width - 1) * patch.spacing, (patch.height - 1) * patch.spacing,
-                        patch.max_height * patch.height_step);
-  return {patch.origin + patch.axes * ((low + high) / 2.0), glm::distance(low, high) / 2.0};
-}
-
-/// Whether samples `spacing` apart can be in the image.
-bool sees(const Onlooker& onlooker, const Ball& ball, double spacing) {
-  const double radius = onlooker.transform.scale * (ball.radius + kReachInSpacings * spacing);
-  return ball.radius >= 0.0 &&
-         sees_sphere(onlooker.view, moved(onlooker.transform, ball.centre), radius);
-}
-
-bool is_seen(std::span<const Onlooker> onlookers, const Ball& ball, double spacing) {
-  return std::any_of(onlookers.begin(), onlookers.end(),
-                     [&](const Onlooker& onlooker) { return sees(onlooker, ball, spacing); });
-}
-
-/// The depth of the point of a box that is nearest along the view axis; below 0 behind the eye.
-double nearest_depth_of(const Onlooker& onlooker, const Bounds& box) {
-  const Transform& transform = onlooker.transform;
-  const glm::dvec3 forward = -glm::transpose(onlooker.view.rotation)[2];
-  const glm::dvec3 in_model = glm::transpose(transform.rotation) * forward;
-  const glm::dvec3 centre = moved(transform, (box.min + box.max) / 2.0);
-  const glm::dvec3 half = (box.max - box.min) / 2.0;
-  return glm::dot(forward, centre - onlooker.view.eye) -
-         transform.scale * glm::dot(glm::abs(in_model), half);
+bool sees(const Onlooker& onlooker, const PatchSummary& patch) {
+  if (patch.samples == 0) return false;
+  const Bounds box{{0.0, 0.0, patch.min_height * patch.height_step},
+                   {(patch.width - 1) * patch.spacing, (patch.height - 1) * patch.spacing,
+                    patch.max_height * patch.height_step}};
+  const Transform& model = onlooker.transform;
+  const Transform frame{moved(model, patch.origin), model.rotation * patch.axes, model.scale};
+  return sees_box(onlooker.view, {box, frame}, model.scale * kReachInSpacings * patch.spacing);
 }
 
 /// Whether a box's samples, where it is nearest to the eye, are as near to each other as asked for.
 bool is_fine_enough(const Onlooker& onlooker, const Bounds& box, double spacing) {
-  const double depth = nearest_depth_of(onlooker, box);
+  const double depth = nearest_depth(onlooker.view, {box, onlooker.transform});
   if (depth <= 0.0 && !onlooker.view.orthographic) return false;
   return spacing * onlooker.transform.scale <= onlooker.pixels * pixel_at(onlooker.view, depth);
 }
@@ -118,17 +93,18 @@ std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> views,
 }
 
 bool is_in_view(std::span<const Onlooker> onlookers, const Bounds& box, double spacing) {
-  return is_seen(onlookers, ball_of(box), spacing);
+  return std::any_of(onlookers.begin(), onlookers.end(),
+                     [&](const Onlooker& onlooker) { return sees(onlooker, box, spacing); });
 }
 
 double coarseness(std::span<const Onlooker> onlookers, const Bounds& box, double spacing) {
   constexpr double kNearest = 0.02;
   double most = 0.0;
   for (const Onlooker& onlooker : onlookers) {
-    if (!sees(onlooker, ball_of(box), spacing)) continue;
+    if (!sees(onlooker, box, spacing)) continue;
     const double scale = onlooker.transform.scale;
     const double least = kNearest * scale * glm::distance(box.min, box.max);
-    const double depth = std::max(nearest_depth_of(onlooker, box), least);
+    const double depth = std::max(nearest_depth(onlooker.view, {box, onlooker.transform}), least);
     most = std::max(most, spacing * scale / (onlooker.pixels * pixel_at(onlooker.view, depth)));
   }
   return most;
@@ -145,13 +121,12 @@ std::vector<std::uint32_t> choose_tiles(std::span<const TreeTile> tiles,
     open.pop_back();
     const Bounds& box = boxes[t];
     const double spacing = tiles[t].spacing;
-    const Ball ball = ball_of(box);
-    if (!is_seen(onlookers, ball, spacing)) continue;
+    if (!is_in_view(onlookers, box, spacing)) continue;
     // What is too scattered for an overview may still be there in its children.
     const bool is_enough =
         children[t].empty() || (tiles[t].samples > 0 &&
                                 std::all_of(onlookers.begin(), onlookers.end(), [&](const auto& o) {
-                                  return !sees(o, ball, spacing) || is_fine_enough(o, box, spacing);
+                                  return !sees(o, box, spacing) || is_fine_enough(o, box, spacing);
                                 }));
     if (is_enough) {
       chosen.push_back(t);
@@ -179,7 +154,8 @@ Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooke
     std::vector<std::uint64_t> seen;
     for (std::uint64_t p = 0; p < file.patches().size(); ++p) {
       const PatchSummary& patch = file.patches()[p];
-      if (is_seen(onlookers, ball_of(patch), patch.spacing)) seen.push_back(p);
+      if (std::ranges::any_of(onlookers, [&](const auto& o) { return sees(o, patch); }))
+        seen.push_back(p);
     }
     progress.advance(file.patches().size() - seen.size());
     bytes += file.decoded_bytes(seen, sections);

@@ -164,6 +164,19 @@ TEST(PatchesInView, DrawnAtTheFinestLevelUseNoOverviews) {
   EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
 }
 
+/// What reaches beside the eye is in the image only farther ahead. Taken for nearest, it took the
+/// memory that the tile before the eye needs.
+TEST(PatchesInView, BesideTheEyeTilesAreNotNearest) {
+  const auto onlookers = onlookers_of(std::vector{looking({8.0, 8.0, 0.5}, {8.0, 20.0, 0.0})},
+                                      std::vector<Transform>(1), PatchModel());
+  const Bounds before{{7.5, 8.7, 0.0}, {8.5, 9.7, 0.1}};
+  const Bounds beside{{9.0, 7.5, 0.0}, {13.0, 11.5, 0.1}};
+  // At a depth of 1 a pixel is 0.001 wide.
+  EXPECT_NEAR(coarseness(onlookers, before, 0.01), 0.01 / 0.0007, 0.4);
+  const double nearest = std::hypot(1.0, 0.4) / std::sqrt(1.5);
+  EXPECT_NEAR(coarseness(onlookers, beside, 0.01), 0.01 / (0.001 * nearest), 0.4);
+}
+
 /// Half floats' last bit: colours of fewer patches lie elsewhere in their texture, where
 /// coordinates round otherwise.
 void expect_same_image(const Image& a, const Image& b) {
