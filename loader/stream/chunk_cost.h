@@ -28,11 +28,13 @@ inline constexpr double kFinestBytesANode = 5.0;
 /// Returns what a chunk takes.
 [[nodiscard]] ChunkCost cost_of(const PatchChunk& chunk);
 
-/// Returns about what a node of the finest patches takes.
+/// Returns about what a node of patches of a kind takes.
 [[nodiscard]] ChunkCost usual_cost_a_node(const PatchKind& kind, const StoreNeeds& needs);
 
-/// Divides `bytes`, or less if all nodes of a file need less, as its patches need it. `a_node`:
-/// usual_cost_a_node().
-[[nodiscard]] ChunkCost divide_budget(std::uint64_t bytes, const ChunkCost& a_node, double nodes);
+/// Divides `bytes` among kinds of memory, a half each as the finest patches and as overviews need
+/// it: those have fewer colours, and views show from nearly none of them to half. Less if all
+/// `nodes` of a file need less. `fine`, `coarse`: usual_cost_a_node().
+[[nodiscard]] ChunkCost divide_budget(std::uint64_t bytes, const ChunkCost& fine,
+                                      const ChunkCost& coarse, double nodes);
 
 }  // namespace relief

@@ -43,12 +43,22 @@ double distance_between(const glm::dvec3& p, const Bounds& box) {
   return glm::distance(p, glm::clamp(p, box.min, box.max));
 }
 
+bool is_overview(const TreeTile& tile) {
+  return tile.level > 0;
+}
+
 /// About as many as the patches of all tiles have.
 double nodes_of(const TileSource& source) {
   double nodes = 0.0;
   for (const TreeTile& tile : source.tiles())
     nodes += source.kind().nodes_a_sample * static_cast<double>(tile.samples);
   return nodes;
+}
+
+/// Overviews have one normal and one colour a sample. Of a file without any: that of its patches.
+PatchKind kind_of_overviews(const TileSource& source) {
+  const bool has_some = std::ranges::any_of(source.tiles(), &is_overview);
+  return has_some ? PatchKind{source.kind().nodes_a_sample, 1, 1} : source.kind();
 }
 
 }  // namespace
@@ -64,8 +74,9 @@ StreamedPatches::StreamedPatches(const Gl& gl, std::shared_ptr<TileSource> sourc
       loader_(source_, needs, store_limits(gl),
               {budget.memory / 4, budget.memory - budget.memory / 4}, std::move(wake)),
       indices_(source_->tiles().size()),
-      cost_a_node_(usual_cost_a_node(source_->kind(), needs)),
-      room_(divide_budget(budget.gpu, cost_a_node_, nodes_of(*source_))),
+      cost_of_finest_(usual_cost_a_node(source_->kind(), needs)),
+      cost_of_overviews_(usual_cost_a_node(kind_of_overviews(*source_), needs)),
+      room_(divide_budget(budget.gpu, cost_of_finest_, cost_of_overviews_, nodes_of(*source_))),
       fill_(kFill) {}
 
 Result<std::unique_ptr<StreamedPatches>> StreamedPatches::create(
@@ -145,7 +156,7 @@ ChunkCost StreamedPatches::cost_in_view(std::uint32_t tile) const {
     const auto nodes = static_cast<double>(chunk.nodes);
     const auto known = costs_.find({tile, c});
     if (known == costs_.end()) {
-      sum += nodes * cost_a_node_;
+      sum += nodes * (is_overview(source_->tiles()[tile]) ? cost_of_overviews_ : cost_of_finest_);
     } else {
       sum += known->second.cost;
       if (needed_level(chunk) < known->second.finest) sum.rest += kFinestBytesANode * nodes;
@@ -246,8 +257,9 @@ bool StreamedPatches::upload(ChunkKey key, const PatchChunk& chunk) {
   const auto before = residents_.find(key);
   if (before != residents_.end() && before->second.finest <= chunk.finest) return false;
   const auto nodes = static_cast<double>(indices_[key.tile]->chunks[key.chunk].nodes);
-  cost_a_node_ = (1.0 - kShareOfNews) * cost_a_node_;
-  cost_a_node_ += kShareOfNews / nodes * cost_of(chunk);
+  ChunkCost& mean = is_overview(source_->tiles()[key.tile]) ? cost_of_overviews_ : cost_of_finest_;
+  mean = (1.0 - kShareOfNews) * mean;
+  mean += kShareOfNews / nodes * cost_of(chunk);
   if (make_room(chunk)) return add(key, chunk);
   // The next cut is coarser, and may have no more need of it.
   failed_[key_of({key.tile, key.chunk, 0})] = seconds();

@@ -116,7 +116,8 @@ class StreamedPatches {
   std::map<ChunkKey, Resident> residents_;
   double resident_rest_ = 0.0;           ///< Resident::rest of all
   std::map<ChunkKey, KnownCost> costs_;  ///< of each that was there once
-  ChunkCost cost_a_node_;                ///< of these, a mean
+  ChunkCost cost_of_finest_;             ///< of a node in these, a mean: in the finest tiles
+  ChunkCost cost_of_overviews_;          ///< and in overviews
   ChunkCost room_;                       ///< what the budget is divided into
   bool has_room_ = false;                ///< the pool's textures are as large as that
   double fill_;                          ///< how much of it can be filled

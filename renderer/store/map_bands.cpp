@@ -2,49 +2,64 @@
 
 #include <algorithm>
 #include <cstring>
-#include <numeric>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "renderer/store/map_upload.h"
+#include "renderer/store/strip_packer.h"
 
 namespace relief {
 namespace {
 
-/// Packs maps in shelves, highest first, and copies them there. `pad` gives the map of a patch with
-/// a ring of `ring` texels around it.
+/// A strip of whole columns of the pool, of all that are not much wider the smallest.
+struct Strip {
+  std::uint32_t width = 0;
+  PackedStrip packed;
+};
+
+Strip smallest_strip(std::span<const glm::uvec2> sizes) {
+  constexpr std::uint32_t kMostColumns = 2;
+  std::uint32_t columns = 1;
+  for (const glm::uvec2 size : sizes)
+    columns = std::max(columns, (size.x + kBandWidth - 1) / kBandWidth);
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  Strip best;
+  for (std::uint32_t c = columns; c <= std::max(columns, kMostColumns); ++c) {
+    Strip strip{c * kBandWidth, pack_strip(sizes, c * kBandWidth)};
+    const std::uint64_t area = std::uint64_t{strip.width} * strip.packed.height;
+    if (area >= least) continue;
+    least = area;
+    best = std::move(strip);
+  }
+  return best;
+}
+
+/// Packs maps and copies them there. `pad` gives the map of a patch with a ring of `ring` texels
+/// around it.
 template <class Pad>
-PackedMaps pack(const PatchList& patches, std::uint32_t width, std::uint32_t ring, const Pad& pad) {
+PackedMaps pack(const PatchList& patches, std::uint32_t ring, const Pad& pad) {
   using Map = decltype(pad(*patches.front()));
   std::vector<Map> maps;
   maps.reserve(patches.size());
   for (const Patch* patch : patches) maps.push_back(pad(*patch));
-  for (const Map& map : maps) width = std::max(width, map.width);
-  std::vector<std::size_t> order(maps.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&maps](std::size_t a, std::size_t b) {
-    return maps[a].height > maps[b].height;
-  });
+  std::vector<glm::uvec2> sizes;
+  sizes.reserve(maps.size());
+  for (const Map& map : maps) sizes.emplace_back(map.width, map.height);
+  const auto [width, strip] = smallest_strip(sizes);
 
   PackedMaps packed;
-  packed.spots.resize(maps.size());
-  AtlasSpot next;
-  std::uint32_t top = 0;  // of the shelf
-  for (const std::size_t m : order) {
-    if (next.x + maps[m].width > width) next = {0, top, 0};
-    packed.spots[m] = next;
-    next.x += maps[m].width;
-    top = std::max(top, next.y + maps[m].height);
-  }
   constexpr std::size_t kBytes = sizeof(maps.front().texels.front());
-  packed.band = {width, top, std::vector<std::byte>(std::size_t{width} * top * kBytes)};
+  packed.band = {width, strip.height,
+                 std::vector<std::byte>(std::size_t{width} * strip.height * kBytes)};
   for (std::size_t m = 0; m < maps.size(); ++m) {
     const Map& map = maps[m];
-    AtlasSpot& spot = packed.spots[m];
+    const glm::uvec2 spot = strip.corners[m];
     for (std::uint32_t y = 0; y < map.height; ++y) {
       std::memcpy(packed.band.texels.data() + (std::size_t{spot.y + y} * width + spot.x) * kBytes,
                   map.texels.data() + std::size_t{y} * map.width, map.width * kBytes);
     }
-    spot.x += ring;
-    spot.y += ring;
+    packed.spots.push_back({spot.x + ring, spot.y + ring, 0});
   }
   return packed;
 }
@@ -59,22 +74,19 @@ MapBytes bytes_of(const MapBands& bands) {
 }
 
 PackedMaps pack_heights(const PatchList& patches) {
-  return pack(patches, kBandWidth, 0, [](const Patch& patch) { return padded_heights(patch); });
+  return pack(patches, 0, [](const Patch& patch) { return padded_heights(patch); });
 }
 
 PackedMaps pack_normals(const PatchList& patches) {
-  return pack(patches, kBandWidth, 1,
-              [](const Patch& patch) { return padded_normals(patch, MipRoom()); });
+  return pack(patches, 1, [](const Patch& patch) { return padded_normals(patch, MipRoom()); });
 }
 
 PackedMaps pack_colours(const PatchList& patches) {
-  return pack(patches, kColourBandWidth, 1,
-              [](const Patch& patch) { return padded_colours(patch, MipRoom()); });
+  return pack(patches, 1, [](const Patch& patch) { return padded_colours(patch, MipRoom()); });
 }
 
 PackedMaps pack_masks(const PatchList& patches, const MeetsOthers& meets) {
-  return pack(patches, kBandWidth, 1,
-              [&](const Patch& patch) { return padded_mask(patch, meets(patch)); });
+  return pack(patches, 1, [&](const Patch& patch) { return padded_mask(patch, meets(patch)); });
 }
 
 }  // namespace relief

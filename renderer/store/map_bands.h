@@ -12,11 +12,9 @@
 
 namespace relief {
 
-/// Bands of normals, heights and masks are at least this wide: about the side of a square that the
-/// maps of some 100,000 samples fill.
+/// Bands are so many texels wide, or some times as many: about the side of a square that the maps
+/// of some 100,000 samples fill.
 inline constexpr std::uint32_t kBandWidth = 512;
-/// Those of colours, which the converter gives two texels a cell.
-inline constexpr std::uint32_t kColourBandWidth = 2 * kBandWidth;
 
 /// An image that becomes some rows of a layer of an array texture.
 struct MapBand {

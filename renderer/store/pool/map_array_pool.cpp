@@ -8,7 +8,7 @@ namespace relief {
 namespace {
 
 /// Patches are rarely wider than so many columns, which would make the texture grow.
-constexpr std::uint32_t kColumns = 4;
+constexpr std::uint32_t kColumns = 8;
 /// Of a layer that is made for a single band, unless that is higher.
 constexpr std::uint32_t kFewestRows = 512;
 /// Bands of a few hundred rows leave a gap in each layer: few high layers have few.

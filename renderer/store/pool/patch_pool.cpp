@@ -90,7 +90,7 @@ PatchPool::PatchPool(const Gl& gl, const StoreNeeds& needs, const PooledModel& m
                  enlarged_table<shared::PatchInfo>(gl, "patch table", GL_RGBA32I, nullptr, 0, 1)},
       heights_(gl, height_format(), sizeof(std::uint16_t), kBandWidth),
       normals_(gl, normal_format(), sizeof(glm::i16vec2), kBandWidth),
-      colours_(gl, colour_format(model.nearest_colours), sizeof(glm::u8vec4), kColourBandWidth),
+      colours_(gl, colour_format(model.nearest_colours), sizeof(glm::u8vec4), kBandWidth),
       masks_(gl, mask_format(), sizeof(std::uint8_t), kBandWidth),
       widest_(kUsualLayerSide) {
   reserve_rows(kFirstRows);
