@@ -37,6 +37,13 @@ enum class Attenuation : std::uint8_t {
 /// The colours that 3D Gaussians are blended in.
 enum class GaussianBlend : std::uint8_t { Srgb, Linear };
 
+/// What the engine `volume` draws kernels with.
+enum class VolumeDrawingBy : std::uint8_t {
+  Automatic,  ///< Cpu where OpenGL draws on the CPU, too
+  Shaders,
+  Cpu  ///< Shaders for slabs, normals and depths, and beside surfaces
+};
+
 inline constexpr std::array<Named<VolumeFilter>, 5> kVolumeFilters{
     {{"auto", VolumeFilter::Automatic},
      {"ewa", VolumeFilter::Ewa},
@@ -52,6 +59,11 @@ inline constexpr std::array<Named<Attenuation>, 2> kAttenuations{
     {{"linear", Attenuation::Linear}, {"exponential", Attenuation::Exponential}}};
 inline constexpr std::array<Named<GaussianBlend>, 2> kGaussianBlends{
     {{"srgb", GaussianBlend::Srgb}, {"linear", GaussianBlend::Linear}}};
+
+inline constexpr std::array<Named<VolumeDrawingBy>, 3> kVolumeDrawingsBy{
+    {{"auto", VolumeDrawingBy::Automatic},
+     {"shaders", VolumeDrawingBy::Shaders},
+     {"cpu", VolumeDrawingBy::Cpu}}};
 
 inline constexpr NumberChoice kKernelSigmas{0.25, 4.0};
 inline constexpr NumberChoice kShares{0.0, 1.0};
@@ -90,6 +102,7 @@ struct VolumeSettings {
   std::optional<Material> material;  ///< in place of the image's
   std::optional<ClipBox> clip;       ///< kernels whose centres lie outside are not drawn
   GaussianSettings gaussians;
+  VolumeDrawingBy drawn_by = VolumeDrawingBy::Automatic;  ///< by engine `volume`
 };
 
 }  // namespace relief

@@ -164,19 +164,17 @@ Result<KernelColour> VolumeModel::colour_of_part(const Part& part, const KernelC
   if (materials[material].kind == Material::Unlit)
     return KernelColour([&kernels](std::size_t k) { return kernels.colours[k]; });
   RELIEF_TRY_ASSIGN(Lighting lighting, make_lighting(lit, view, environments));
-  const glm::dvec3 axis(-view.rotation[0].z, -view.rotation[1].z, -view.rotation[2].z);
+  const glm::vec3 axis(-view.rotation[0].z, -view.rotation[1].z, -view.rotation[2].z);
   return KernelColour([&kernels, lighting = std::move(lighting), material, eye = view.eye,
                        orthographic = view.orthographic, axis](std::size_t k) {
     const glm::vec3& normal = kernels.normals[k];
     if (normal == glm::vec3(0.0F)) return kernels.colours[k];  // nothing to light
-    const glm::dvec3 from_eye = kernels.centres[k] - eye;
-    const double distance = glm::length(from_eye);
-    const glm::dvec3 ray = orthographic || !(distance > 0.0) ? axis : from_eye / distance;
-    return shade(lighting, material,
-                 {.albedo = kernels.colours[k],
-                  .normal = normal,
-                  .ray = glm::vec3(ray),
-                  .position = glm::vec3(from_eye)});
+    const glm::vec3 from_eye(kernels.centres[k] - eye);
+    const float distance = glm::length(from_eye);
+    const glm::vec3 ray = orthographic || !(distance > 0.0F) ? axis : from_eye / distance;
+    return shade(
+        lighting, material,
+        {.albedo = kernels.colours[k], .normal = normal, .ray = ray, .position = from_eye});
   });
 }
 

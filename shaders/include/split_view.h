@@ -54,7 +54,7 @@ RELIEF_FUNCTION vec3 stored_samples(vec2 position, uint patch_id) {
 /// the image's quarters are lit (upper left), a mirror (upper right), the mean of both (lower
 /// right), and the samples (lower left), with white lines between them. The image's middle is where
 /// the view axis meets it, so that parts of an image agree.
-RELIEF_FUNCTION vec3 split_view(Frame frame, vec3 ray, vec3 lit_light, vec3 mirror_light,
+RELIEF_FUNCTION vec3 split_view(RELIEF_IN(Frame) frame, vec3 ray, vec3 lit_light, vec3 mirror_light,
                                 vec3 samples) {
   vec3 right = vec3(frame.ray_x);
   vec3 up = vec3(frame.ray_y);

@@ -14,6 +14,7 @@
 #include "renderer/view/view.h"
 #include "renderer/volume/kernels/kernel_cloud.h"
 #include "renderer/volume/splats/footprint.h"
+#include "renderer/volume/volume_model.h"
 
 namespace relief::volume {
 
@@ -32,6 +33,7 @@ struct VolumeFrame {
   NodeBox box;                      ///< of a grid that is not empty
   /// Of each kernel, as it is blended. Empty where GridDrawing::lights_nodes().
   std::span<const glm::vec3> colours;
+  KernelColour colour;  ///< of CpuDrawing's frames, in place of `colours`
   const View& view;
   const RenderSettings& settings;
   std::span<const FootprintRule> footprints;  ///< of each part of the cloud

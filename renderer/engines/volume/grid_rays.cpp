@@ -105,7 +105,7 @@ std::optional<shared::VolumeGrid> grid_rays(const VolumeFrame& frame, const Regu
   const FootprintRule& rule = frame.footprints.front();
   const double sigma = frame.settings.volume.kernel_sigma;
   const double near =
-      view.orthographic ? 0.0 : deviation_along_axis(camera, frame.cloud.variances.front());
+      view.orthographic ? 0.0 : std::sqrt(to_camera(camera, frame.cloud.variances.front()).zz);
   const auto unit = [&](std::size_t a) {
     glm::ivec3 step(0);
     step[axes[a]] = 1;

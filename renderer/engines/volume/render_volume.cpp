@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/median.h"
+#include "renderer/engines/volume/cpu/cpu_drawing.h"
 #include "renderer/engines/volume/grid_drawing.h"
 #include "renderer/engines/volume/grid_rays.h"
 #include "renderer/engines/volume/list_drawing.h"
@@ -30,7 +31,8 @@ class Prepared final : public PreparedModel {
         model_(std::move(model)),
         surfaces_(std::move(surfaces)),
         quads_(make_quad_drawing(gl())),
-        lists_(make_list_drawing(gl())) {
+        lists_(make_list_drawing(gl())),
+        cpu_(make_cpu_drawing(gl())) {
     const ScalarVolume* const volume = model_.volume();
     if (volume != nullptr && std::holds_alternative<RegularGrid>(volume->placement))
       grid_ = make_grid_drawing(gl(), *volume);
@@ -122,12 +124,18 @@ class Prepared final : public PreparedModel {
                         .cloud_version = model_.version(),
                         .box = *box_,
                         .colours = {},
+                        .colour = {},
                         .view = view,
                         .settings = lit,
                         .footprints = footprints,
                         .spacing = model_.spacing(),
                         .features = features,
                         .is_limited = layer.limits.has_value()};
+      if (is_for_cpu(gl(), frame)) {
+        RELIEF_TRY_ASSIGN(frame.colour, model_.colour_of(cloud, settings, view, *environments_));
+        RELIEF_TRY(cpu_->draw(frame, layer.targets, timer, progress));
+        continue;
+      }
       const bool is_grid = is_for_grid(gl(), frame, model_.volume());
       if (colours.empty() && !(is_grid && grid_->lights_nodes(lit))) {
         RELIEF_TRY_ASSIGN(colours, model_.colours(cloud, settings, view, *environments_));
@@ -150,6 +158,7 @@ class Prepared final : public PreparedModel {
   std::unique_ptr<GridDrawing> grid_;  ///< of a regular grid
   std::unique_ptr<VolumeDrawing> quads_;
   std::unique_ptr<VolumeDrawing> lists_;
+  std::unique_ptr<VolumeDrawing> cpu_;
 };
 
 }  // namespace

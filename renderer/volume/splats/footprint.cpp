@@ -90,15 +90,15 @@ FootprintRule footprint_rule(const VolumeSettings& settings, KernelWeight weight
 }
 
 std::optional<Footprint> footprint_of(const KernelCloud& cloud, std::size_t k,
-                                      const RayCamera& camera, const FootprintRule& rule) {
+                                      const RayCamera& camera, const FootprintRule& rule,
+                                      const Variance& in_camera) {
   const glm::dvec3 t = to_camera(camera, cloud.centres[k]);
-  const Variance& variance = cloud.variance(k);
   const bool is_peak = rule.weight == KernelWeight::Peak;
   const double near = is_peak               ? rule.near
                       : camera.orthographic ? 0.0
-                                            : deviation_along_axis(camera, variance);
+                                            : std::sqrt(std::max(in_camera.zz, 0.0));
   if (!(t.z > near)) return std::nullopt;
-  const ProjectedKernel projected = project_kernel(camera, t, variance, clamped(t, rule));
+  const ProjectedKernel projected = project_kernel(camera, t, in_camera, clamped(t, rule));
   const ImageVariance v{projected.xx, projected.xy, projected.yy};
   const ImageVariance f = filtered(v, rule.filter, rule.weight);
   const double determinant = f.determinant();

@@ -53,8 +53,15 @@ struct FootprintRule {
 /// The footprint of kernel k. None if its centre is nearer than the rule's `near` before the eye's
 /// plane, or behind it: there the affine approximation has no meaning. None either if it is too
 /// faint, or not finite. An integral is scaled so that what lies beyond the cutoff is not lost.
+/// `in_camera`: the kernel's variance in camera space.
 [[nodiscard]] std::optional<Footprint> footprint_of(const KernelCloud& cloud, std::size_t k,
                                                     const RayCamera& camera,
-                                                    const FootprintRule& rule);
+                                                    const FootprintRule& rule,
+                                                    const Variance& in_camera);
+[[nodiscard]] inline std::optional<Footprint> footprint_of(const KernelCloud& cloud, std::size_t k,
+                                                           const RayCamera& camera,
+                                                           const FootprintRule& rule) {
+  return footprint_of(cloud, k, camera, rule, to_camera(camera, cloud.variance(k)));
+}
 
 }  // namespace relief

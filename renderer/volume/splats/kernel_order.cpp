@@ -12,31 +12,20 @@
 namespace relief {
 namespace {
 
-/// The sheets along an axis by their distance from the eye: each one's place in that order.
-std::vector<std::uint32_t> rank_sheets(const KernelCloud& cloud, glm::length_t axis,
-                                       const RayCamera& camera) {
-  const std::size_t sheets = cloud.size[axis];
-  std::vector<double> sums(sheets, 0.0);
-  std::vector<double> counts(sheets, 0.0);
-  for (std::size_t k = 0; k < cloud.count(); ++k) {
-    const std::uint32_t sheet = cloud.node(k)[axis];
-    sums[sheet] += glm::dot(cloud.centres[k] - camera.eye, cloud.across[axis]);
-    counts[sheet] += 1.0;
-  }
-  const double forward = (camera.rotation * cloud.across[axis]).z;
-  std::vector<double> distances(sheets, 0.0);
-  for (std::size_t s = 0; s < sheets; ++s) {
-    if (counts[s] == 0.0) continue;
-    const double along = sums[s] / counts[s];
+/// Sheets by their distance from the eye, nearest first.
+std::vector<std::uint32_t> sort_sheets(const KernelSheets& sheets, const RayCamera& camera) {
+  const double forward = (camera.rotation * sheets.across).z;
+  const double eye = glm::dot(camera.eye, sheets.across);
+  std::vector<double> distances(sheets.count());
+  for (std::size_t s = 0; s < sheets.count(); ++s) {
+    const double along = sheets.places[s] - eye;
     distances[s] = camera.orthographic ? along * (forward < 0.0 ? -1.0 : 1.0) : std::abs(along);
   }
-  std::vector<std::uint32_t> sorted(sheets);
+  std::vector<std::uint32_t> sorted(sheets.count());
   std::iota(sorted.begin(), sorted.end(), 0U);
   std::stable_sort(sorted.begin(), sorted.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return distances[a] < distances[b]; });
-  std::vector<std::uint32_t> ranks(sheets);
-  for (std::uint32_t rank = 0; rank < sheets; ++rank) ranks[sorted[rank]] = rank;
-  return ranks;
+  return sorted;
 }
 
 }  // namespace
@@ -54,18 +43,41 @@ glm::length_t sheet_axis(const KernelCloud& cloud, const RayCamera& camera) {
   return best;
 }
 
-KernelOrder order_by_sheets(const KernelCloud& cloud, const RayCamera& camera) {
-  const glm::length_t axis = sheet_axis(cloud, camera);
-  const std::vector<std::uint32_t> ranks = rank_sheets(cloud, axis, camera);
-  KernelOrder order;
-  order.starts.assign(ranks.size() + 1, 0);
-  for (std::size_t k = 0; k < cloud.count(); ++k) ++order.starts[ranks[cloud.node(k)[axis]] + 1];
-  std::partial_sum(order.starts.begin(), order.starts.end(), order.starts.begin());
-  order.kernels.resize(cloud.count());
-  std::vector<std::uint32_t> next(order.starts.begin(), order.starts.end() - 1);
+KernelSheets find_sheets(const KernelCloud& cloud, glm::length_t axis) {
+  KernelSheets sheets;
+  sheets.across = cloud.across[axis];
+  const std::size_t count = cloud.size[axis];
+  sheets.places.assign(count, 0.0);
+  sheets.starts.assign(count + 1, 0);
+  for (std::size_t k = 0; k < cloud.count(); ++k) {
+    const std::uint32_t sheet = cloud.node(k)[axis];
+    sheets.places[sheet] += glm::dot(cloud.centres[k], sheets.across);
+    ++sheets.starts[sheet + 1];
+  }
+  for (std::size_t s = 0; s < count; ++s)
+    sheets.places[s] /= std::max<double>(sheets.starts[s + 1], 1.0);
+  std::partial_sum(sheets.starts.begin(), sheets.starts.end(), sheets.starts.begin());
+  sheets.kernels.resize(cloud.count());
+  std::vector<std::uint32_t> next(sheets.starts.begin(), sheets.starts.end() - 1);
   for (std::size_t k = 0; k < cloud.count(); ++k)
-    order.kernels[next[ranks[cloud.node(k)[axis]]]++] = static_cast<std::uint32_t>(k);
+    sheets.kernels[next[cloud.node(k)[axis]]++] = static_cast<std::uint32_t>(k);
+  return sheets;
+}
+
+KernelOrder order_by_sheets(const KernelSheets& sheets, const RayCamera& camera) {
+  KernelOrder order;
+  order.kernels.reserve(sheets.kernels.size());
+  order.starts.assign(1, 0);
+  for (const std::uint32_t s : sort_sheets(sheets, camera)) {
+    order.kernels.insert(order.kernels.end(), sheets.kernels.begin() + sheets.starts[s],
+                         sheets.kernels.begin() + sheets.starts[s + 1]);
+    order.starts.push_back(static_cast<std::uint32_t>(order.kernels.size()));
+  }
   return order;
+}
+
+KernelOrder order_by_sheets(const KernelCloud& cloud, const RayCamera& camera) {
+  return order_by_sheets(find_sheets(cloud, sheet_axis(cloud, camera)), camera);
 }
 
 KernelOrder order_by_depth(const KernelCloud& cloud, const RayCamera& camera) {

@@ -27,8 +27,22 @@ struct KernelOrder {
 /// The grid's axis whose planes are most parallel to the image.
 [[nodiscard]] glm::length_t sheet_axis(const KernelCloud& cloud, const RayCamera& camera);
 
-/// A grid's sheets, by their distance from the eye along the axis: a ray meets those of one side
-/// only, in this order. A group may be empty.
+/// A grid's sheets across an axis, whatever the view.
+struct KernelSheets {
+  glm::dvec3 across{0.0};
+  std::vector<std::uint32_t> kernels;
+  std::vector<std::uint32_t> starts;  ///< of each sheet in `kernels`, and the end
+  std::vector<double> places;         ///< of each: the mean of centre . across
+
+  [[nodiscard]] std::size_t count() const { return places.size(); }
+};
+
+[[nodiscard]] KernelSheets find_sheets(const KernelCloud& cloud, glm::length_t axis);
+
+/// Sheets by their distance from the eye along the axis: a ray meets those of one side only, in
+/// this order. A group may be empty.
+[[nodiscard]] KernelOrder order_by_sheets(const KernelSheets& sheets, const RayCamera& camera);
+/// Those across sheet_axis().
 [[nodiscard]] KernelOrder order_by_sheets(const KernelCloud& cloud, const RayCamera& camera);
 
 /// One kernel after the other, by the depth of the centre. Equals keep the cloud's order.

@@ -33,28 +33,34 @@ glm::dmat3 ray_space_jacobian(const RayCamera& camera, glm::dvec3 t) {
           {-s.x * t.x / (t.z * t.z), -s.y * t.y / (t.z * t.z), t.z / l}};
 }
 
-ProjectedKernel project_kernel(const RayCamera& camera, glm::dvec3 t, const Variance& variance,
+Variance to_camera(const RayCamera& camera, const Variance& variance) {
+  return variance_of(camera.rotation * matrix_of(variance) * glm::transpose(camera.rotation));
+}
+
+ProjectedKernel project_kernel(const RayCamera& camera, glm::dvec3 t, const Variance& v,
                                glm::dvec3 jacobian_at) {
   ProjectedKernel projected;
-  const glm::dvec3 place = to_ray_space(camera, t);
-  projected.centre = glm::dvec2(place);
+  projected.centre =
+      camera.middle + camera.scale * glm::dvec2(t) / (camera.orthographic ? 1.0 : t.z);
   projected.depth = t.z;
-  glm::dmat3 jacobian = ray_space_jacobian(camera, jacobian_at);
-  projected.area = std::abs(glm::determinant(jacobian));
-  // The third coordinate is the depth along the axis from here on: what slabs, opaque surfaces and
-  // the depth output are given in. The footprint does not have it.
-  jacobian[0].z = 0.0;
-  jacobian[1].z = 0.0;
-  jacobian[2].z = 1.0;
-  const glm::dmat3 to_image = jacobian * camera.rotation;
-  const glm::dmat3 v = to_image * matrix_of(variance) * glm::transpose(to_image);
-  projected.xx = v[0].x;
-  projected.xy = v[1].x;
-  projected.yy = v[1].y;
+  // The Jacobian's rows (ray_space_jacobian()) are a (1, 0, -x) and b (0, 1, -y). The third is the
+  // depth along the axis: what slabs, opaque surfaces and the depth output are given in.
+  const glm::dvec3 at = jacobian_at;
+  const double depth = camera.orthographic ? 1.0 : at.z;
+  const double a = camera.scale.x / depth;
+  const double b = camera.scale.y / depth;
+  const double x = camera.orthographic ? 0.0 : at.x / depth;
+  const double y = camera.orthographic ? 0.0 : at.y / depth;
+  projected.area = std::abs(a * b) * (camera.orthographic ? 1.0 : glm::length(at) / depth);
+  const double x_depth = v.xz - x * v.zz;
+  const double y_depth = v.yz - y * v.zz;
+  projected.xx = a * a * (v.xx - x * v.xz - x * x_depth);
+  projected.xy = a * b * (v.xy - x * v.yz - y * x_depth);
+  projected.yy = b * b * (v.yy - y * v.yz - y * y_depth);
   const double determinant = projected.xx * projected.yy - projected.xy * projected.xy;
-  double along = v[2].z;
+  double along = v.zz;
   if (determinant > 0.0) {
-    const glm::dvec2 c(v[2].x, v[2].y);
+    const glm::dvec2 c(a * x_depth, b * y_depth);
     projected.slope = glm::dvec2(projected.yy * c.x - projected.xy * c.y,
                                  projected.xx * c.y - projected.xy * c.x) /
                       determinant;
@@ -62,11 +68,6 @@ ProjectedKernel project_kernel(const RayCamera& camera, glm::dvec3 t, const Vari
   }
   projected.depth_deviation = std::sqrt(std::max(along, 0.0));
   return projected;
-}
-
-double deviation_along_axis(const RayCamera& camera, const Variance& variance) {
-  const glm::dvec3 axis(camera.rotation[0].z, camera.rotation[1].z, camera.rotation[2].z);
-  return std::sqrt(std::max(glm::dot(axis, matrix_of(variance) * axis), 0.0));
 }
 
 }  // namespace relief

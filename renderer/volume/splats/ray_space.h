@@ -50,12 +50,12 @@ struct ProjectedKernel {
   double area = 0.0;
 };
 
-/// Of a kernel with that centre and variance (world). `jacobian_at`: the place (camera space) whose
+/// A variance (world) in camera space.
+[[nodiscard]] Variance to_camera(const RayCamera& camera, const Variance& variance);
+
+/// Of a kernel with that centre and variance (camera space). `jacobian_at`: the place whose
 /// Jacobian is taken; the centre's own, but for clamped ones.
 [[nodiscard]] ProjectedKernel project_kernel(const RayCamera& camera, glm::dvec3 t,
                                              const Variance& variance, glm::dvec3 jacobian_at);
-
-/// The standard deviation along the view axis, world units.
-[[nodiscard]] double deviation_along_axis(const RayCamera& camera, const Variance& variance);
 
 }  // namespace relief

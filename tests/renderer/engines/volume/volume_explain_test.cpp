@@ -39,6 +39,7 @@ RenderSettings usual_settings() {
   settings.width = 40;
   settings.height = 24;
   settings.camera = {{3.0, 2.0, 30.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 30.0};
+  settings.volume.drawn_by = VolumeDrawingBy::Shaders;
   settings.explain = true;
   return settings;
 }
@@ -129,6 +130,16 @@ TEST(VolumeExplain, WhatIsNoGridIsQuadsOrLists) {
   EXPECT_EQ(lists.passes, Words{"volume lists"});
   EXPECT_EQ(names_of(lists.buffers), (Words{"splats", "tile lists", "tile starts", "volume rule"}));
   EXPECT_EQ(lists.features, Words{"out_depth"});
+}
+
+TEST(VolumeExplain, OnTheCpuOnlyTheImageIsOpenGl) {
+  RenderSettings settings = usual_settings();
+  settings.volume.drawn_by = VolumeDrawingBy::Cpu;
+  const Explanation e = explained(little_volume(), settings);
+  EXPECT_EQ(e.passes, Words{"volume on the CPU"});
+  EXPECT_TRUE(e.draws.empty());
+  EXPECT_EQ(names_of(e.textures), Words{"volume colour"});
+  EXPECT_TRUE(e.buffers.empty());
 }
 
 TEST(VolumeExplain, ChangesNoPixel) {

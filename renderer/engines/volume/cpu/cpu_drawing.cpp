@@ -1,0 +1,128 @@
+#include "renderer/engines/volume/cpu/cpu_drawing.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "renderer/engines/volume/cpu/placer.h"
+#include "renderer/engines/volume/cpu/tiles.h"
+#include "renderer/gl/software.h"
+#include "renderer/volume/splats/kernel_order.h"
+#include "renderer/volume/splats/splat_order.h"
+
+namespace relief::volume {
+namespace {
+
+using cpu::Splat;
+using cpu::Tiles;
+
+/// Kernels that are placed before what they hide is known, and as one piece of work.
+constexpr std::size_t kBatch = 65536;
+constexpr std::size_t kPiece = 1024;
+
+/// Kernels front to back, in batches, until nothing more is seen.
+class Drawer {
+ public:
+  Drawer(const VolumeFrame& frame, const KernelOrder& order, Tiles& tiles)
+      : order_(order), tiles_(tiles), placer_(frame) {}
+
+  void draw(const Progress& progress) {
+    for (std::size_t first = 0; first < order_.groups() && tiles_.is_any_open();) {
+      if (progress.cancelled()) return;
+      std::size_t end = first + 1;
+      while (end < order_.groups() && order_.starts[end] - order_.starts[first] < kBatch) ++end;
+      tiles_.put_behind(place(first, end), progress);
+      first = end;
+    }
+  }
+
+ private:
+  /// What may be seen of some groups.
+  std::vector<Splat> place(std::size_t first, std::size_t end) const {
+    const std::size_t begin = order_.starts[first];
+    const std::size_t count = order_.starts[end] - begin;
+    std::vector<std::vector<Splat>> pieces((count + kPiece - 1) / kPiece);
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
+      const std::size_t from = begin + p * kPiece;
+      const std::size_t to = std::min(from + kPiece, begin + count);
+      auto group = static_cast<std::size_t>(std::ranges::upper_bound(order_.starts, from) -
+                                            order_.starts.begin() - 1);
+      pieces[p].reserve(to - from);
+      for (std::size_t i = from; i < to; ++group) {
+        const std::size_t group_end = std::min<std::size_t>(to, order_.starts[group + 1]);
+        placer_.place(std::span(order_.kernels).subspan(i, group_end - i),
+                      static_cast<std::uint32_t>(group), tiles_, pieces[p]);
+        i = group_end;
+      }
+    });
+    std::vector<std::size_t> starts(pieces.size() + 1, 0);
+    for (std::size_t p = 0; p < pieces.size(); ++p) starts[p + 1] = starts[p] + pieces[p].size();
+    std::vector<Splat> splats(starts.back());
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
+      std::ranges::copy(pieces[p], splats.begin() + static_cast<std::ptrdiff_t>(starts[p]));
+    });
+    return splats;
+  }
+
+  const KernelOrder& order_;
+  Tiles& tiles_;
+  cpu::Placer placer_;
+};
+
+class CpuDrawing final : public VolumeDrawing {
+ public:
+  explicit CpuDrawing(const Gl& gl) : gl_(gl) {}
+
+  Status draw(const VolumeFrame& frame, const VolumeTargets& targets, PassTimer& timer,
+              const Progress& progress) override {
+    const ScopedPass pass(gl_, timer, "volume on the CPU");
+    const RayCamera camera = ray_camera(frame.view);
+    const bool has_sheets =
+        visibility_of(frame.cloud, frame.settings.volume.visibility) == VolumeVisibility::Sheet;
+    const KernelOrder order = has_sheets ? order_by_sheets(sheets_for(frame, camera), camera)
+                                         : order_by_depth(frame.cloud, camera);
+    Tiles tiles(targets.width, targets.height,
+                composite_rule(frame.settings.volume, frame.cloud.weight), has_sheets);
+    Drawer(frame, order, tiles).draw(progress);
+    if (progress.cancelled()) return interrupted_error();
+    gl_.TextureSubImage2D(targets.colour.id(), 0, 0, 0, static_cast<GLsizei>(targets.width),
+                          static_cast<GLsizei>(targets.height), GL_RGBA, GL_FLOAT,
+                          tiles.rows().data());
+    return {};
+  }
+
+ private:
+  /// Made when they are first needed, and again when the kernels are others.
+  const KernelSheets& sheets_for(const VolumeFrame& frame, const RayCamera& camera) {
+    if (frame.cloud_version != version_) sheets_ = {};
+    version_ = frame.cloud_version;
+    const glm::length_t axis = sheet_axis(frame.cloud, camera);
+    std::optional<KernelSheets>& sheets = sheets_[static_cast<std::size_t>(axis)];
+    if (!sheets) sheets = find_sheets(frame.cloud, axis);
+    return *sheets;
+  }
+
+  const Gl& gl_;
+  std::array<std::optional<KernelSheets>, 3> sheets_;  ///< by axis
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace
+
+bool is_for_cpu(const Gl& gl, const VolumeFrame& frame) {
+  const VolumeVisibility visibility = visibility_of(frame.cloud, frame.settings.volume.visibility);
+  const VolumeDrawingBy by = frame.settings.volume.drawn_by;
+  const bool is_wanted =
+      by == VolumeDrawingBy::Cpu || (by == VolumeDrawingBy::Automatic && draws_on_cpu(gl));
+  return is_wanted && !frame.is_limited && visibility != VolumeVisibility::ImageSheet &&
+         !frame.features.has(RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH);
+}
+
+std::unique_ptr<VolumeDrawing> make_cpu_drawing(const Gl& gl) {
+  return std::make_unique<CpuDrawing>(gl);
+}
+
+}  // namespace relief::volume

@@ -1,0 +1,39 @@
+// Kernels become splats of an image.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "renderer/engines/volume/cpu/tiles.h"
+#include "renderer/engines/volume/drawing.h"
+#include "renderer/volume/splats/ray_space.h"
+
+namespace relief::volume::cpu {
+
+/// Places the kernels of a frame. Those of a grid, which have one variance, in single precision and
+/// kLanes at once; others as volume-reference does.
+class Placer {
+ public:
+  explicit Placer(const VolumeFrame& frame);
+
+  /// Appends what may be seen of some kernels of a group where `tiles` are open. Thread-safe.
+  void place(std::span<const std::uint32_t> kernels, std::uint32_t group, const Tiles& tiles,
+             std::vector<Splat>& splats) const;
+
+ private:
+  void place_each(std::span<const std::uint32_t> kernels, std::uint32_t group, const Tiles& tiles,
+                  std::vector<Splat>& splats) const;
+  void place_lanes(std::span<const std::uint32_t> kernels, std::uint32_t group, const Tiles& tiles,
+                   std::vector<Splat>& splats) const;
+  void append(Splat splat, std::uint32_t kernel, std::uint32_t group, const Tiles& tiles,
+              std::vector<Splat>& splats) const;
+
+  const VolumeFrame& frame_;
+  RayCamera camera_;
+  std::optional<Variance> in_camera_;  ///< of all kernels
+  bool takes_lanes_ = false;
+};
+
+}  // namespace relief::volume::cpu
