@@ -350,9 +350,15 @@ TEST_F(VolumeCommand, TheEngineOnOpenGlExplainsItself) {
     return explanation["passes"].get<std::vector<std::string>>();
   };
   const std::string ball = write_ball();
-  EXPECT_EQ(passes(with(ball, {})), (std::vector<std::string>{"volume nodes", "volume sheets"}));
-  EXPECT_EQ(passes(with(ball, {"--iso", "50"})), (std::vector<std::string>{"volume lists"}));
-  EXPECT_EQ(passes(with(write_gaussians(), {})), (std::vector<std::string>{"volume quads"}));
+  const auto by_shaders = [&](const std::string& scene, std::vector<std::string> more) {
+    more.insert(more.end(), {"--drawn-by", "shaders"});
+    return passes(with(scene, more));
+  };
+  EXPECT_EQ(by_shaders(ball, {}), (std::vector<std::string>{"volume nodes", "volume sheets"}));
+  EXPECT_EQ(by_shaders(ball, {"--iso", "50"}), std::vector<std::string>{"volume lists"});
+  EXPECT_EQ(by_shaders(write_gaussians(), {}), std::vector<std::string>{"volume quads"});
+  EXPECT_EQ(passes(with(ball, {"--drawn-by", "cpu"})),
+            std::vector<std::string>{"volume on the CPU"});
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ TEST_F(Pools, TakeWidePatchesWithoutGrowing) {
   extent_ = without_patches(model_);
   needs_.colours = false;
   const PatchChunk wide = chunk_of(0, 1, 2);
-  ASSERT_EQ(wide.maps.normals->width, 1502U);
+  ASSERT_EQ(wide.maps.normals->width, 3 * kBandWidth) << "whole columns";
   ASSERT_TRUE(pool.has_room(wide));
   const std::uint64_t before = pool.bytes();
   const auto slot = pool.add(wide);
