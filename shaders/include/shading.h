@@ -25,7 +25,6 @@ using glm::exp2;
 using glm::max;
 using glm::min;
 using glm::normalize;
-using glm::pow;
 using glm::reflect;
 using glm::sqrt;
 using glm::vec3;

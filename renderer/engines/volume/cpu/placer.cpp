@@ -6,14 +6,13 @@
 #include <numbers>
 
 #include "renderer/engines/volume/cpu/lanes.h"
-#include "renderer/volume/splats/tile_lists.h"
 
 namespace relief::volume::cpu {
 namespace {
 
 constexpr float kHalfLog2E = static_cast<float>(0.5 * std::numbers::log2e);
 
-/// What splats of kLanes footprints have in common, and each one's.
+/// kLanes footprints as tiles add them up.
 struct Shapes {
   Floats x, y;  ///< of the centre, from the image's upper left corner
   Floats xx, xy, yy;
@@ -63,7 +62,7 @@ std::array<Splat, kLanes> splats_of(const Shapes& shapes, float width, float hei
   return splats;
 }
 
-/// A matrix or variance in single precision.
+/// A variance in single precision.
 struct FloatVariance {
   float xx, xy, xz, yy, yz, zz;
 
