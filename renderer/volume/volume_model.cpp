@@ -26,6 +26,11 @@ const VolumeSettings& settings_of(const RenderSettings& settings, std::size_t in
   return index < settings.volumes.size() ? settings.volumes[index] : settings.volume;
 }
 
+/// A part's material in an image that has but one, too.
+std::size_t material_within(std::size_t own, std::size_t count) {
+  return own < count ? own : 0;
+}
+
 }  // namespace
 
 VolumeModel::VolumeModel(const RenderModel& model) {
@@ -160,7 +165,7 @@ Result<KernelColour> VolumeModel::colour_of_part(const Part& part, const KernelC
   }
   const RenderSettings lit = with_own_material(settings, chosen);
   const std::vector<MaterialSettings> materials = materials_of(lit);
-  const std::size_t material = part.material < materials.size() ? part.material : 0;
+  const std::size_t material = material_within(part.material, materials.size());
   if (materials[material].kind == Material::Unlit)
     return KernelColour([&kernels](std::size_t k) { return kernels.colours[k]; });
   RELIEF_TRY_ASSIGN(Lighting lighting, make_lighting(lit, view, environments));
@@ -192,6 +197,22 @@ Result<KernelColour> VolumeModel::colour_of(const KernelCloud& kernels,
   return KernelColour([&kernels, colours = std::move(colours)](std::size_t k) {
     return colours[kernels.part_of(k)](k);
   });
+}
+
+Result<std::optional<Lighting>> VolumeModel::distant_lights(const RenderSettings& settings,
+                                                            const View& view,
+                                                            EnvironmentCache& environments) const {
+  const Part& part = parts_.front();
+  if (parts_.size() > 1 || part.gaussians != nullptr) return std::optional<Lighting>();
+  const RenderSettings lit = with_own_material(settings, settings_of(settings, part.settings));
+  const std::vector<MaterialSettings> materials = materials_of(lit);
+  const bool is_lit =
+      materials[material_within(part.material, materials.size())].kind == Material::Lit;
+  const bool has_points = std::ranges::any_of(
+      lit.lights.list, [](const Light& light) { return light.kind == LightKind::Point; });
+  if (!is_lit || has_points || lit.lights.from_environment) return std::optional<Lighting>();
+  RELIEF_TRY_ASSIGN(Lighting lighting, make_lighting(lit, view, environments));
+  return std::optional(std::move(lighting));
 }
 
 Result<std::vector<glm::vec3>> VolumeModel::colours(const KernelCloud& kernels,

@@ -16,6 +16,7 @@
 #include "renderer/model.h"
 #include "renderer/settings.h"
 #include "renderer/shading/environment_cache.h"
+#include "renderer/shading/shading.h"
 #include "renderer/view/view.h"
 #include "renderer/volume/kernels/kernel_cloud.h"
 #include "renderer/volume/splats/footprint.h"
@@ -48,6 +49,11 @@ class VolumeModel {
   /// eye, a volume's lit at the node (pre-shaded). It borrows the kernels and the environments.
   Result<KernelColour> colour_of(const KernelCloud& kernels, const RenderSettings& settings,
                                  const View& view, EnvironmentCache& environments) const;
+
+  /// What all kernels are lit by where that is Material::Lit and distant lights alone, as an image
+  /// with these settings needs it; else none.
+  Result<std::optional<Lighting>> distant_lights(const RenderSettings& settings, const View& view,
+                                                 EnvironmentCache& environments) const;
 
   /// The colours of all.
   Result<std::vector<glm::vec3>> colours(const KernelCloud& kernels, const RenderSettings& settings,

@@ -34,6 +34,8 @@ struct VolumeFrame {
   /// Of each kernel, as it is blended. Empty where GridDrawing::lights_nodes().
   std::span<const glm::vec3> colours;
   KernelColour colour;  ///< of CpuDrawing's frames, in place of `colours`
+  const Lighting* distant_lights =
+      nullptr;  ///< of CpuDrawing's: what `colour` asks, if nothing else
   const View& view;
   const RenderSettings& settings;
   std::span<const FootprintRule> footprints;  ///< of each part of the cloud

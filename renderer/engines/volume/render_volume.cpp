@@ -133,6 +133,8 @@ class Prepared final : public PreparedModel {
                         .is_limited = layer.limits.has_value()};
       if (is_for_cpu(gl(), frame)) {
         RELIEF_TRY_ASSIGN(frame.colour, model_.colour_of(cloud, settings, view, *environments_));
+        RELIEF_TRY_ASSIGN(const auto lights, model_.distant_lights(settings, view, *environments_));
+        frame.distant_lights = lights ? &*lights : nullptr;
         RELIEF_TRY(cpu_->draw(frame, layer.targets, timer, progress));
         continue;
       }

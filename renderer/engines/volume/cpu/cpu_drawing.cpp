@@ -16,12 +16,13 @@
 namespace relief::volume {
 namespace {
 
+using cpu::Piece;
 using cpu::Splat;
 using cpu::Tiles;
 
 /// Kernels that are placed before what they hide is known, and as one piece of work.
 constexpr std::size_t kBatch = 65536;
-constexpr std::size_t kPiece = 1024;
+constexpr std::size_t kPiece = 2048;
 
 /// Kernels front to back, in batches, until nothing more is seen.
 class Drawer {
@@ -34,42 +35,39 @@ class Drawer {
       if (progress.cancelled()) return;
       std::size_t end = first + 1;
       while (end < order_.groups() && order_.starts[end] - order_.starts[first] < kBatch) ++end;
-      tiles_.put_behind(place(first, end), progress);
+      place(first, end);
+      tiles_.put_behind(splats_, pieces_, progress);
       first = end;
     }
   }
 
  private:
-  /// What may be seen of some groups.
-  std::vector<Splat> place(std::size_t first, std::size_t end) const {
+  /// Finds what may be seen of some groups.
+  void place(std::size_t first, std::size_t end) {
     const std::size_t begin = order_.starts[first];
     const std::size_t count = order_.starts[end] - begin;
-    std::vector<std::vector<Splat>> pieces((count + kPiece - 1) / kPiece);
-    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
+    if (splats_.size() < count) splats_.resize(count);
+    pieces_.resize((count + kPiece - 1) / kPiece);
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t p) {
       const std::size_t from = begin + p * kPiece;
       const std::size_t to = std::min(from + kPiece, begin + count);
       auto group = static_cast<std::size_t>(std::ranges::upper_bound(order_.starts, from) -
                                             order_.starts.begin() - 1);
-      pieces[p].reserve(to - from);
+      pieces_[p] = Piece(std::span(splats_).subspan(p * kPiece, to - from));
       for (std::size_t i = from; i < to; ++group) {
         const std::size_t group_end = std::min<std::size_t>(to, order_.starts[group + 1]);
         placer_.place(std::span(order_.kernels).subspan(i, group_end - i),
-                      static_cast<std::uint32_t>(group), tiles_, pieces[p]);
+                      static_cast<std::uint32_t>(group), tiles_, pieces_[p]);
         i = group_end;
       }
     });
-    std::vector<std::size_t> starts(pieces.size() + 1, 0);
-    for (std::size_t p = 0; p < pieces.size(); ++p) starts[p + 1] = starts[p] + pieces[p].size();
-    std::vector<Splat> splats(starts.back());
-    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
-      std::ranges::copy(pieces[p], splats.begin() + static_cast<std::ptrdiff_t>(starts[p]));
-    });
-    return splats;
   }
 
   const KernelOrder& order_;
   Tiles& tiles_;
   cpu::Placer placer_;
+  std::vector<Splat> splats_;  ///< room for those of a batch
+  std::vector<Piece> pieces_;  ///< of the batch
 };
 
 class CpuDrawing final : public VolumeDrawing {

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <cstring>
 
-// GCC makes a function for AVX2, whose registers hold eight floats, and one for other processors,
-// which take two registers. Clang passes eight to no function that may not be for AVX2.
+// GCC makes a function for AVX2 and FMA, whose registers hold eight floats, and one for other
+// processors, which take two registers. Clang passes eight to no function that may not be for AVX2.
 #if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
-#define RELIEF_FOR_EACH_CPU __attribute__((target_clones("avx2", "default")))
+#define RELIEF_FOR_EACH_CPU __attribute__((target_clones("arch=x86-64-v3", "default")))
 #define RELIEF_LANES 8
 // All is inlined: how lanes would be returned does not matter. Parameters are references, because
 // GCC has a note about others that nothing silences but an option of its own.

@@ -21,8 +21,13 @@ struct Shapes {
   Floats cutoff;
 };
 
-/// The factors by which weights change, and the boxes.
-std::array<Splat, kLanes> splats_of(const Shapes& shapes, float width, float height) {
+/// The factors by which weights change.
+struct Factors {
+  Floats least, down, right, slanted;
+  Ints is_steep;
+};
+
+RELIEF_IN_LANES Factors factors_of(const Shapes& shapes) {
   const Floats x = shapes.reach_x + kLanes;  // runs begin up to kLanes pixels before the box
   const Floats y = shapes.reach_y + 1.0F;
   const Floats slant = larger(shapes.xy, -shapes.xy);
@@ -30,36 +35,53 @@ std::array<Splat, kLanes> splats_of(const Shapes& shapes, float width, float hei
   const auto factor = [](const Floats& e) RELIEF_INLINED {
     return exp2_of(smaller(larger(e, all_of(kLeastExponent)), all_of(-kLeastExponent)));
   };
-  const Floats least = factor(-kHalfLog2E * shapes.cutoff);
-  const Floats down = factor(2.0F * shapes.yy);
-  const Floats right = factor(2.0F * kLanes * kLanes * shapes.xx);
-  const Floats slanted = factor(kLanes * shapes.xy);
-  // Rounded up from the lower ends and down from the upper ones, within the image.
+  return {.least = factor(-kHalfLog2E * shapes.cutoff),
+          .down = factor(2.0F * shapes.yy),
+          .right = factor(2.0F * kLanes * kLanes * shapes.xx),
+          .slanted = factor(kLanes * shapes.xy),
+          .is_steep = ~(lowest > -kSteep)};
+}
+
+/// kLanes boxes of pixels.
+struct Boxes {
+  Ints left, right, top, bottom;
+
+  [[nodiscard]] Box of(int lane) const {
+    return {left[lane], right[lane], top[lane], bottom[lane]};
+  }
+};
+
+/// Rounded up from the lower ends and down from the upper ones, within the image.
+RELIEF_IN_LANES Boxes boxes_of(const Shapes& shapes, float width, float height) {
   const auto end = [](const Floats& at, float size) RELIEF_INLINED {
     const Floats within = smaller(larger(at + 0.5F, all_of(0.0F)), all_of(size));
     return __builtin_convertvector(within, Ints);
   };
-  const Ints lefts = end(shapes.x - shapes.reach_x, width);
-  const Ints rights = end(shapes.x + shapes.reach_x, width) - 1;
-  const Ints tops = end(shapes.y - shapes.reach_y, height);
-  const Ints bottoms = end(shapes.y + shapes.reach_y, height) - 1;
-  std::array<Splat, kLanes> splats;
-  for (int i = 0; i < kLanes; ++i) {
-    Splat& splat = splats[static_cast<std::size_t>(i)];
-    splat.x = shapes.x[i];
-    splat.y = shapes.y[i];
-    splat.xx = shapes.xx[i];
-    splat.xy = shapes.xy[i];
-    splat.yy = shapes.yy[i];
-    splat.peak = shapes.peak[i];
-    splat.least = least[i];
-    splat.down = down[i];
-    splat.right = right[i];
-    splat.slanted = slanted[i];
-    splat.is_steep = !(lowest[i] > -kSteep);
-    splat.box = {lefts[i], rights[i], tops[i], bottoms[i]};
-  }
-  return splats;
+  return {.left = end(shapes.x - shapes.reach_x, width),
+          .right = end(shapes.x + shapes.reach_x, width) - 1,
+          .top = end(shapes.y - shapes.reach_y, height),
+          .bottom = end(shapes.y + shapes.reach_y, height) - 1};
+}
+
+/// The splat of a lane.
+RELIEF_IN_LANES Splat splat_of(const Shapes& shapes, const Factors& factors, const Boxes& boxes,
+                               const Vectors& colours, std::uint32_t group, int lane) {
+  return {.x = shapes.x[lane],
+          .y = shapes.y[lane],
+          .xx = shapes.xx[lane],
+          .xy = shapes.xy[lane],
+          .yy = shapes.yy[lane],
+          .peak = shapes.peak[lane],
+          .red = colours.x[lane],
+          .green = colours.y[lane],
+          .blue = colours.z[lane],
+          .least = factors.least[lane],
+          .down = factors.down[lane],
+          .right = factors.right[lane],
+          .slanted = factors.slanted[lane],
+          .is_steep = factors.is_steep[lane] != 0,
+          .group = group,
+          .box = boxes.of(lane)};
 }
 
 /// A variance in single precision.
@@ -75,6 +97,19 @@ struct FloatVariance {
         zz(static_cast<float>(v.zz)) {}
 };
 
+/// Values of the first kLanes kernels of a list.
+RELIEF_IN_LANES Vectors gathered(const std::vector<glm::vec3>& values,
+                                 std::span<const std::uint32_t> kernels) {
+  Vectors lanes;
+  for (int i = 0; i < kLanes; ++i) {
+    const glm::vec3& value = values[kernels[static_cast<std::size_t>(i)]];
+    lanes.x[i] = value.x;
+    lanes.y[i] = value.y;
+    lanes.z[i] = value.z;
+  }
+  return lanes;
+}
+
 }  // namespace
 
 Placer::Placer(const VolumeFrame& frame) : frame_(frame), camera_(ray_camera(frame.view)) {
@@ -88,15 +123,16 @@ Placer::Placer(const VolumeFrame& frame) : frame_(frame), camera_(ray_camera(fra
 }
 
 void Placer::place(std::span<const std::uint32_t> kernels, std::uint32_t group, const Tiles& tiles,
-                   std::vector<Splat>& splats) const {
+                   Piece& piece) const {
   const std::size_t whole = takes_lanes_ ? kernels.size() / kLanes * kLanes : 0;
-  place_lanes(kernels.first(whole), group, tiles, splats);
-  place_each(kernels.subspan(whole), group, tiles, splats);
+  place_lanes(kernels.first(whole), group, tiles, piece);
+  place_each(kernels.subspan(whole), group, tiles, piece);
 }
 
 void Placer::place_each(std::span<const std::uint32_t> kernels, std::uint32_t group,
-                        const Tiles& tiles, std::vector<Splat>& splats) const {
-  const auto height = static_cast<double>(frame_.view.height);
+                        const Tiles& tiles, Piece& piece) const {
+  const auto width = static_cast<float>(frame_.view.width);
+  const auto height = static_cast<float>(frame_.view.height);
   for (const std::uint32_t k : kernels) {
     const FootprintRule& rule = frame_.footprints[frame_.cloud.part_of(k)];
     const auto footprint = in_camera_ ? footprint_of(frame_.cloud, k, camera_, rule, *in_camera_)
@@ -104,7 +140,7 @@ void Placer::place_each(std::span<const std::uint32_t> kernels, std::uint32_t gr
     if (!footprint) continue;
     const auto all = [](double value) RELIEF_INLINED { return all_of(static_cast<float>(value)); };
     const Shapes shapes{.x = all(footprint->centre.x),
-                        .y = all(height - footprint->centre.y),
+                        .y = all(frame_.view.height - footprint->centre.y),
                         .xx = all(-kHalfLog2E * footprint->xx),
                         .xy = all(2.0 * kHalfLog2E * footprint->xy),
                         .yy = all(-kHalfLog2E * footprint->yy),
@@ -112,14 +148,19 @@ void Placer::place_each(std::span<const std::uint32_t> kernels, std::uint32_t gr
                         .reach_y = all(footprint->reach.y),
                         .peak = all(footprint->peak),
                         .cutoff = all(footprint->cutoff)};
-    const auto width = static_cast<float>(frame_.view.width);
-    append(splats_of(shapes, width, static_cast<float>(height)).front(), k, group, tiles, splats);
+    const Boxes boxes = boxes_of(shapes, width, height);
+    const Box box = boxes.of(0);
+    if (box.is_empty() || !tiles.is_open(box)) continue;
+    const glm::vec3 colour = frame_.colour(k);
+    const Vectors colours{all_of(colour.r), all_of(colour.g), all_of(colour.b)};
+    piece.add(splat_of(shapes, factors_of(shapes), boxes, colours, group, 0));
   }
 }
 
 /// As footprint_of() (renderer/volume/splats/footprint.h).
-void Placer::place_lanes(std::span<const std::uint32_t> kernels, std::uint32_t group,
-                         const Tiles& tiles, std::vector<Splat>& splats) const {
+RELIEF_FOR_EACH_CPU void Placer::place_lanes(std::span<const std::uint32_t> kernels,
+                                             std::uint32_t group, const Tiles& tiles,
+                                             Piece& piece) const {
   if (kernels.empty()) return;
   const KernelCloud& cloud = frame_.cloud;
   const FootprintRule& rule = frame_.footprints.front();
@@ -135,18 +176,20 @@ void Placer::place_lanes(std::span<const std::uint32_t> kernels, std::uint32_t g
   const auto cutoff = static_cast<float>(rule.cutoff);
   const auto per_area =
       static_cast<float>(1.0 / (2.0 * std::numbers::pi * (1.0 - std::exp(-0.5 * rule.cutoff))));
-  for (std::size_t first = 0; first < kernels.size(); first += kLanes) {
-    Floats px, py, pz, weight;
+  for (; !kernels.empty(); kernels = kernels.subspan(kLanes)) {
+    Vectors from_eye;
+    Floats weight;
     for (int i = 0; i < kLanes; ++i) {
-      const std::uint32_t k = kernels[first + static_cast<std::size_t>(i)];
+      const std::uint32_t k = kernels[static_cast<std::size_t>(i)];
       const glm::vec3 p(cloud.centres[k] - camera_.eye);
-      px[i] = p.x;
-      py[i] = p.y;
-      pz[i] = p.z;
+      from_eye.x[i] = p.x;
+      from_eye.y[i] = p.y;
+      from_eye.z[i] = p.z;
       weight[i] = cloud.weights[k];
     }
     const auto turned = [&](glm::length_t row) RELIEF_INLINED {
-      return rotation[0][row] * px + rotation[1][row] * py + rotation[2][row] * pz;
+      return rotation[0][row] * from_eye.x + rotation[1][row] * from_eye.y +
+             rotation[2][row] * from_eye.z;
     };
     const Floats tx = turned(0);
     const Floats ty = turned(1);
@@ -173,24 +216,48 @@ void Placer::place_lanes(std::span<const std::uint32_t> kernels, std::uint32_t g
                         .reach_y = root_of(cutoff * yy),
                         .peak = weight * area * per_area * root_of(per_determinant),
                         .cutoff = all_of(cutoff)};
-    const std::array<Splat, kLanes> placed = splats_of(shapes, width, height);
+    const Boxes boxes = boxes_of(shapes, width, height);
+    Ints is_seen = (tz > near) & (determinant > 0.0F) & (boxes.left <= boxes.right) &
+                   (boxes.top <= boxes.bottom) & (shapes.peak - shapes.peak == 0.0F);
+    bool is_any_seen = false;
     for (int i = 0; i < kLanes; ++i) {
-      const Splat& splat = placed[static_cast<std::size_t>(i)];
-      if (tz[i] > near && determinant[i] > 0.0F && std::isfinite(splat.peak))
-        append(splat, kernels[first + static_cast<std::size_t>(i)], group, tiles, splats);
+      is_seen[i] = is_seen[i] != 0 && tiles.is_open(boxes.of(i)) ? 1 : 0;
+      is_any_seen = is_any_seen || is_seen[i] != 0;
+    }
+    if (!is_any_seen) continue;
+    const Factors factors = factors_of(shapes);
+    const Vectors colours = colours_of(kernels, from_eye, is_seen);
+    for (int i = 0; i < kLanes; ++i) {
+      if (is_seen[i] != 0) piece.add(splat_of(shapes, factors, boxes, colours, group, i));
     }
   }
 }
 
-void Placer::append(Splat splat, std::uint32_t kernel, std::uint32_t group, const Tiles& tiles,
-                    std::vector<Splat>& splats) const {
-  if (splat.box.is_empty() || !tiles.is_open(splat.box)) return;
-  const glm::vec3 colour = frame_.colour(kernel);
-  splat.red = colour.r;
-  splat.green = colour.g;
-  splat.blue = colour.b;
-  splat.group = group;
-  splats.push_back(splat);
+inline Vectors Placer::colours_of(std::span<const std::uint32_t> kernels, const Vectors& from_eye,
+                                  const Ints& is_seen) const {
+  const KernelCloud& cloud = frame_.cloud;
+  if (frame_.distant_lights == nullptr) {
+    Vectors colours{};
+    for (int i = 0; i < kLanes; ++i) {
+      if (is_seen[i] == 0) continue;
+      const glm::vec3 colour = frame_.colour(kernels[static_cast<std::size_t>(i)]);
+      colours.x[i] = colour.x;
+      colours.y[i] = colour.y;
+      colours.z[i] = colour.z;
+    }
+    return colours;
+  }
+  const Lighting& lighting = *frame_.distant_lights;
+  const auto axis = [&](glm::length_t i) RELIEF_INLINED {
+    return all_of(static_cast<float>(camera_.rotation[i].z));
+  };
+  const Floats per_distance = 1.0F / root_of(dot(from_eye, from_eye));
+  const Vectors ray = camera_.orthographic
+                          ? Vectors{axis(0), axis(1), axis(2)}
+                          : Vectors{from_eye.x * per_distance, from_eye.y * per_distance,
+                                    from_eye.z * per_distance};
+  return lit(lighting.frame, lighting.lights, gathered(cloud.colours, kernels),
+             gathered(cloud.normals, kernels), ray);
 }
 
 }  // namespace relief::volume::cpu

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "renderer/engines/volume/cpu/distant_lights.h"
 #include "renderer/engines/volume/cpu/tiles.h"
 #include "renderer/engines/volume/drawing.h"
 #include "renderer/volume/splats/ray_space.h"
@@ -18,17 +19,19 @@ class Placer {
  public:
   explicit Placer(const VolumeFrame& frame);
 
-  /// Appends what may be seen of some kernels of a group where `tiles` are open. Thread-safe.
+  /// Adds what may be seen of some kernels of a group where `tiles` are open. Thread-safe.
   void place(std::span<const std::uint32_t> kernels, std::uint32_t group, const Tiles& tiles,
-             std::vector<Splat>& splats) const;
+             Piece& piece) const;
 
  private:
   void place_each(std::span<const std::uint32_t> kernels, std::uint32_t group, const Tiles& tiles,
-                  std::vector<Splat>& splats) const;
+                  Piece& piece) const;
   void place_lanes(std::span<const std::uint32_t> kernels, std::uint32_t group, const Tiles& tiles,
-                   std::vector<Splat>& splats) const;
-  void append(Splat splat, std::uint32_t kernel, std::uint32_t group, const Tiles& tiles,
-              std::vector<Splat>& splats) const;
+                   Piece& piece) const;
+  /// Of the first kLanes kernels; those that are not seen need none.
+  [[nodiscard, gnu::always_inline]] Vectors colours_of(std::span<const std::uint32_t> kernels,
+                                                       const Vectors& from_eye,
+                                                       const Ints& is_seen) const;
 
   const VolumeFrame& frame_;
   RayCamera camera_;

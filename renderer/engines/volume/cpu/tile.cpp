@@ -32,8 +32,8 @@ struct RunExponent {
   }
 };
 
-/// Calls `use` with a splat's weights in each run of kLanes pixels, without its peak, and the place
-/// of the first in a tile's arrays.
+/// Calls `use` with a splat's weights in each run of kLanes pixels and the place of the first in a
+/// tile's arrays.
 template <class Use>
 [[gnu::always_inline]] inline void for_each_run(const Splat& splat, const Box& tile,
                                                 const Use& use) {
@@ -47,15 +47,16 @@ template <class Use>
       for (int y = part.top; y < part.bottom; ++y) {
         const Floats e = run.at(top + static_cast<float>(y - part.top));
         const Floats weights = exp2_of(larger(e, nothing));
-        use(corner + place_of(0, y - part.top), where(weights >= splat.least, weights));
+        use(corner + place_of(0, y - part.top),
+            where(weights >= splat.least, weights * splat.peak));
       }
     }
     return;
   }
   // Here, so that they stay in registers: for all that is known the sums might overlap the splat.
-  const Floats least = all_of(splat.least);
+  const Floats least = all_of(splat.least * splat.peak);
   const Floats down = all_of(splat.down);
-  Floats first = exp2_of(run.at(top));
+  Floats first = exp2_of(run.at(top)) * splat.peak;
   Floats to_next_row = exp2_of(splat.xy * run.dx + splat.yy * (2.0F * top + 1.0F));
   Floats to_next_run =
       exp2_of(splat.xx * kLanes * (2.0F * run.dx + kLanes) + splat.xy * kLanes * top);
@@ -98,12 +99,11 @@ TilePixels open_tile(const Box& tile) {
 }
 
 RELIEF_FOR_EACH_CPU void add(const Splat& splat, const Box& tile, TileLayer& layer) {
-  const Floats peak = all_of(splat.peak);
-  const Floats red = peak * splat.red;
-  const Floats green = peak * splat.green;
-  const Floats blue = peak * splat.blue;
+  const Floats red = all_of(splat.red);
+  const Floats green = all_of(splat.green);
+  const Floats blue = all_of(splat.blue);
   for_each_run(splat, tile, [&](std::size_t first, const Floats& weights) RELIEF_INLINED {
-    add_to(&layer.weight[first], weights * peak);
+    add_to(&layer.weight[first], weights);
     add_to(&layer.red[first], weights * red);
     add_to(&layer.green[first], weights * green);
     add_to(&layer.blue[first], weights * blue);
@@ -149,8 +149,7 @@ RELIEF_FOR_EACH_CPU void put_behind(const Splat& splat, const Box& tile, const C
   const auto most = static_cast<float>(rule.max_alpha);
   const auto ends_at = static_cast<float>(rule.min_transmittance);
   for_each_run(splat, tile, [&](std::size_t first, const Floats& weights) RELIEF_INLINED {
-    const Floats given = weights * splat.peak;
-    const Floats alpha = where(given >= least, opacity_of(given, exponential, most));
+    const Floats alpha = where(weights >= least, opacity_of(weights, exponential, most));
     const Floats open = load(&pixels.is_open[first]);
     const Floats before = load(&pixels.transmittance[first]);
     Floats seen = before * open * alpha;

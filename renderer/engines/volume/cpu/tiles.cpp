@@ -8,9 +8,6 @@
 namespace relief::volume::cpu {
 namespace {
 
-/// Pieces of a batch whose lists are made at once.
-constexpr std::size_t kPieces = 16;
-
 template <class Visit>
 void for_each_tile(const Box& box, const TileGrid& tiling, const Visit& visit) {
   const auto columns = static_cast<std::size_t>(tiling.columns());
@@ -20,16 +17,17 @@ void for_each_tile(const Box& box, const TileGrid& tiling, const Visit& visit) {
   }
 }
 
-/// Each tile's splats, in their order.
+/// Each tile's splats, in their order: where in `all` they are.
 class Lists {
  public:
-  Lists(std::span<const Splat> all, const TileGrid& tiling) : starts_(tiling.count() + 1, 0) {
+  Lists(std::span<const Splat> all, std::span<const Piece> pieces, const TileGrid& tiling)
+      : starts_(tiling.count() + 1, 0) {
     // By piece and tile: how many, then where the piece's own begin.
-    std::vector<std::vector<std::uint32_t>> next(kPieces);
-    for_each_piece(all, [&](std::size_t piece, std::size_t first, std::size_t end) {
-      next[piece].assign(tiling.count(), 0);
-      for (std::size_t s = first; s < end; ++s)
-        for_each_tile(all[s].box, tiling, [&](std::size_t tile) { ++next[piece][tile]; });
+    std::vector<std::vector<std::uint32_t>> next(pieces.size());
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
+      next[p].assign(tiling.count(), 0);
+      for (const Splat& splat : pieces[p].splats())
+        for_each_tile(splat.box, tiling, [&](std::size_t tile) { ++next[p][tile]; });
     });
     std::uint32_t sum = 0;
     for (std::size_t tile = 0; tile < tiling.count(); ++tile) {
@@ -38,10 +36,10 @@ class Lists {
     }
     starts_.back() = sum;
     splats_.resize(sum);
-    for_each_piece(all, [&](std::size_t piece, std::size_t first, std::size_t end) {
-      for (std::size_t s = first; s < end; ++s) {
-        for_each_tile(all[s].box, tiling, [&](std::size_t tile) {
-          splats_[next[piece][tile]++] = static_cast<std::uint32_t>(s);
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
+      for (const Splat& splat : pieces[p].splats()) {
+        for_each_tile(splat.box, tiling, [&](std::size_t tile) {
+          splats_[next[p][tile]++] = static_cast<std::uint32_t>(&splat - all.data());
         });
       }
     });
@@ -52,14 +50,6 @@ class Lists {
   }
 
  private:
-  template <class Use>
-  static void for_each_piece(std::span<const Splat> all, const Use& use) {
-    const std::size_t size = (all.size() + kPieces - 1) / kPieces;
-    tbb::parallel_for(std::size_t{0}, kPieces, [&](std::size_t piece) {
-      use(piece, std::min(piece * size, all.size()), std::min((piece + 1) * size, all.size()));
-    });
-  }
-
   std::vector<std::uint32_t> starts_;  ///< by tile, and the end
   std::vector<std::uint32_t> splats_;
 };
@@ -98,8 +88,9 @@ bool Tiles::is_any_open() const {
   return std::ranges::find(is_open_, 1) != is_open_.end();
 }
 
-void Tiles::put_behind(std::span<const Splat> splats, const Progress& progress) {
-  const Lists lists(splats, tiling_);
+void Tiles::put_behind(std::span<const Splat> splats, std::span<const Piece> pieces,
+                       const Progress& progress) {
+  const Lists lists(splats, pieces, tiling_);
   tbb::parallel_for(std::size_t{0}, tiling_.count(), [&](std::size_t tile) {
     const auto list = lists.of(tile);
     if (is_open_[tile] == 0 || list.empty() || progress.cancelled()) return;

@@ -25,6 +25,20 @@ struct TileGrid {
   [[nodiscard]] Box box(std::size_t tile) const;
 };
 
+/// Splats of a batch that were found as one piece of work.
+class Piece {
+ public:
+  Piece() = default;
+  explicit Piece(std::span<Splat> space) : space_(space) {}
+
+  void add(const Splat& splat) { space_[count_++] = splat; }
+  [[nodiscard]] std::span<const Splat> splats() const { return space_.first(count_); }
+
+ private:
+  std::span<Splat> space_;
+  std::size_t count_ = 0;
+};
+
 class Tiles {
  public:
   /// Of an image of that many pixels. `has_layers`: splats of one group are one layer; otherwise
@@ -36,8 +50,9 @@ class Tiles {
   [[nodiscard]] bool is_open(const Box& box) const;
   [[nodiscard]] bool is_any_open() const;
 
-  /// Puts splats, front to back, behind what the image shows.
-  void put_behind(std::span<const Splat> splats, const Progress& progress);
+  /// Puts pieces, front to back, behind what the image shows. All lie in `splats`.
+  void put_behind(std::span<const Splat> splats, std::span<const Piece> pieces,
+                  const Progress& progress);
 
   /// Colour times opacity and the transmittance of each pixel, the bottom row first.
   [[nodiscard]] std::vector<glm::vec4> rows() const;
