@@ -41,8 +41,9 @@ struct VolumeFrame {
   std::span<const FootprintRule> footprints;  ///< of each part of the cloud
   double spacing = 0.0;  ///< mean distance of a volume's nodes, world units; 0: no volume
   Features features;     ///< RELIEF_FEATURE bits of the outputs
-  /// Texture RELIEF_VOLUME_TEXTURE_LIMITS is bound: opaque surfaces end what pixels show.
-  bool is_limited = false;
+  /// Where opaque surfaces end what pixels show, as DepthLimits'; empty: nowhere. For shaders
+  /// texture RELIEF_VOLUME_TEXTURE_LIMITS is bound, too.
+  std::span<const float> limits;
 };
 
 class VolumeDrawing {

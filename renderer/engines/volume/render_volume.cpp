@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -48,7 +49,8 @@ class Prepared final : public PreparedModel {
     RELIEF_TRY_ASSIGN(const auto surroundings, surroundings_of(settings, *environments_));
     const View view = volume_view(settings);
     const Features features = features_of(settings, ModelMaps(false));
-    RELIEF_TRY_ASSIGN(const auto layers, make_layers(view, surfaces.limits, features));
+    const bool is_on_cpu = is_for_cpu(gl(), *cloud, settings.volume);
+    RELIEF_TRY_ASSIGN(const auto layers, make_layers(view, surfaces.limits, features, is_on_cpu));
     if (!box_ || box_version_ != model_.version()) {
       box_ = box_of(*cloud);
       box_version_ = model_.version();
@@ -94,18 +96,19 @@ class Prepared final : public PreparedModel {
   /// The kernels up to some limits.
   struct Layer {
     VolumeTargets targets;
-    std::optional<Texture> limits;
+    std::span<const float> limits;
+    std::optional<Texture> limits_texture;  ///< of drawings by shaders
   };
 
   Result<std::vector<Layer>> make_layers(const View& view, const DepthLimits& limits,
-                                         Features features) const {
+                                         Features features, bool is_on_cpu) const {
     std::vector<Layer> layers;
     for (const std::vector<float>* const depths : {&limits.covered, &limits.beside}) {
       if (depths->empty() && !layers.empty()) continue;
       RELIEF_TRY_ASSIGN(auto targets, make_volume_targets(gl(), view.width, view.height, features));
-      layers.push_back({std::move(targets), {}});
-      if (!depths->empty())
-        layers.back().limits = make_limits(gl(), view.width, view.height, *depths);
+      layers.push_back({std::move(targets), *depths, {}});
+      if (!depths->empty() && !is_on_cpu)
+        layers.back().limits_texture = make_limits(gl(), view.width, view.height, *depths);
     }
     return layers;
   }
@@ -130,8 +133,8 @@ class Prepared final : public PreparedModel {
                         .footprints = footprints,
                         .spacing = model_.spacing(),
                         .features = features,
-                        .is_limited = layer.limits.has_value()};
-      if (is_for_cpu(gl(), frame)) {
+                        .limits = layer.limits};
+      if (is_for_cpu(gl(), cloud, settings.volume)) {
         RELIEF_TRY_ASSIGN(frame.colour, model_.colour_of(cloud, settings, view, *environments_));
         RELIEF_TRY_ASSIGN(const auto lights, model_.distant_lights(settings, view, *environments_));
         frame.distant_lights = lights ? &*lights : nullptr;
@@ -143,10 +146,11 @@ class Prepared final : public PreparedModel {
         RELIEF_TRY_ASSIGN(colours, model_.colours(cloud, settings, view, *environments_));
       }
       frame.colours = colours;
-      if (layer.limits) gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, layer.limits->id());
+      const GLuint limits = layer.limits_texture ? layer.limits_texture->id() : 0;
+      gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, limits);
       VolumeDrawing& drawing = is_grid ? *grid_ : is_for_quads(frame) ? *quads_ : *lists_;
       RELIEF_TRY(drawing.draw(frame, layer.targets, timer, progress));
-      if (layer.limits) gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, 0);
+      gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, 0);
     }
     return {};
   }

@@ -10,7 +10,7 @@ shared::VolumeRule shader_rule(const VolumeFrame& frame) {
   std::uint32_t flags = is_peak ? RELIEF_VOLUME_PEAK : 0U;
   if (!is_peak && composite.attenuation == Attenuation::Exponential)
     flags |= RELIEF_VOLUME_EXPONENTIAL;
-  if (frame.is_limited) flags |= RELIEF_VOLUME_LIMITED;
+  if (!frame.limits.empty()) flags |= RELIEF_VOLUME_LIMITED;
   const std::uint32_t columns = (frame.view.width + shared::kVolumeTile - 1) / shared::kVolumeTile;
   shared::VolumeRule rule{};
   rule.image = {frame.view.width, frame.view.height, columns, flags};

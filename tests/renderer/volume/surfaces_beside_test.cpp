@@ -252,19 +252,22 @@ TEST_F(AmongSurfaces, OpenGlDrawsTheSame) {
   RenderSettings wanted = settings("volume");
   wanted.camera.eye = {4.0, 3.0, 12.0};  // the plane fills the image
   wanted.camera.orthographic_height = 0.0;
-  // Half floats of the surface's colour: 5e-4.
-  constexpr float kLists = 1e-3F;
-  parts_.list.push_back({ball()});
-  // Sheets have the pixel's Jacobian in place of the kernel's centre.
-  EXPECT_LT(compare(wanted).most, 0.01F);
-  wanted.volume.visibility = VolumeVisibility::ImageSheet;
-  EXPECT_LT(compare(wanted).most, kLists);
-  wanted.volume.visibility = VolumeVisibility::Automatic;
-  parts_.list.push_back({one_gaussian({2.0F, 1.0F, 0.5F})});
-  EXPECT_LT(compare(wanted).most, kLists);
-  parts_.list.erase(parts_.list.begin());
-  parts_.list.push_back({one_gaussian({-3.0F, 0.0F, 0.0F})});
-  EXPECT_LT(compare(wanted).most, kLists);
+  for (const VolumeDrawingBy by : {VolumeDrawingBy::Shaders, VolumeDrawingBy::Cpu}) {
+    wanted.volume.drawn_by = by;
+    // Half floats of the surface's colour: 5e-4.
+    constexpr float kLists = 1e-3F;
+    parts_.list = {{ball()}};
+    // Sheets of shaders have the pixel's Jacobian in place of the kernel's centre.
+    EXPECT_LT(compare(wanted).most, by == VolumeDrawingBy::Cpu ? kLists : 0.01F);
+    wanted.volume.visibility = VolumeVisibility::ImageSheet;
+    EXPECT_LT(compare(wanted).most, kLists);
+    wanted.volume.visibility = VolumeVisibility::Automatic;
+    parts_.list.push_back({one_gaussian({2.0F, 1.0F, 0.5F})});
+    EXPECT_LT(compare(wanted).most, kLists);
+    parts_.list.erase(parts_.list.begin());
+    parts_.list.push_back({one_gaussian({-3.0F, 0.0F, 0.0F})});
+    EXPECT_LT(compare(wanted).most, kLists);
+  }
 }
 
 TEST_F(AmongSurfaces, OpenGlDrawsTheSameEdges) {
@@ -273,8 +276,11 @@ TEST_F(AmongSurfaces, OpenGlDrawsTheSameEdges) {
   RenderSettings wanted = settings("volume");
   wanted.samples = 4;
   wanted.raytrace.samples = 64;
-  // 0.0002, by the samples of edges; without the part of pixels beside the surface 0.004.
-  EXPECT_LT(compare(wanted).mean, 5e-4);
+  for (const VolumeDrawingBy by : {VolumeDrawingBy::Shaders, VolumeDrawingBy::Cpu}) {
+    wanted.volume.drawn_by = by;
+    // 0.0002, by the samples of edges; without the part of pixels beside the surface 0.004.
+    EXPECT_LT(compare(wanted).mean, 5e-4);
+  }
 }
 
 // Two halves of a cloud are the cloud.

@@ -17,7 +17,6 @@ namespace relief::volume {
 namespace {
 
 using cpu::Piece;
-using cpu::Splat;
 using cpu::Tiles;
 
 /// Kernels that are placed before what they hide is known, and as one piece of work.
@@ -36,7 +35,7 @@ class Drawer {
       std::size_t end = first + 1;
       while (end < order_.groups() && order_.starts[end] - order_.starts[first] < kBatch) ++end;
       place(first, end);
-      tiles_.put_behind(splats_, pieces_, progress);
+      tiles_.put_behind(batch_, progress);
       first = end;
     }
   }
@@ -46,18 +45,23 @@ class Drawer {
   void place(std::size_t first, std::size_t end) {
     const std::size_t begin = order_.starts[first];
     const std::size_t count = order_.starts[end] - begin;
-    if (splats_.size() < count) splats_.resize(count);
-    pieces_.resize((count + kPiece - 1) / kPiece);
-    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t p) {
+    if (batch_.splats.size() < count) batch_.splats.resize(count);
+    if (tiles_.needs_surfaces()) batch_.surfaces.resize(batch_.splats.size());
+    batch_.pieces.resize((count + kPiece - 1) / kPiece);
+    tbb::parallel_for(std::size_t{0}, batch_.pieces.size(), [&](std::size_t p) {
       const std::size_t from = begin + p * kPiece;
       const std::size_t to = std::min(from + kPiece, begin + count);
       auto group = static_cast<std::size_t>(std::ranges::upper_bound(order_.starts, from) -
                                             order_.starts.begin() - 1);
-      pieces_[p] = Piece(std::span(splats_).subspan(p * kPiece, to - from));
+      const auto part_of = [&](auto& all) {
+        return all.empty() ? std::span(all) : std::span(all).subspan(p * kPiece, to - from);
+      };
+      Piece& piece = batch_.pieces[p];
+      piece = Piece(part_of(batch_.splats), part_of(batch_.surfaces));
       for (std::size_t i = from; i < to; ++group) {
         const std::size_t group_end = std::min<std::size_t>(to, order_.starts[group + 1]);
         placer_.place(std::span(order_.kernels).subspan(i, group_end - i),
-                      static_cast<std::uint32_t>(group), tiles_, pieces_[p]);
+                      static_cast<std::uint32_t>(group), tiles_, piece);
         i = group_end;
       }
     });
@@ -66,8 +70,7 @@ class Drawer {
   const KernelOrder& order_;
   Tiles& tiles_;
   cpu::Placer placer_;
-  std::vector<Splat> splats_;  ///< room for those of a batch
-  std::vector<Piece> pieces_;  ///< of the batch
+  cpu::Batch batch_;
 };
 
 class CpuDrawing final : public VolumeDrawing {
@@ -83,12 +86,14 @@ class CpuDrawing final : public VolumeDrawing {
     const KernelOrder order = has_sheets ? order_by_sheets(sheets_for(frame, camera), camera)
                                          : order_by_depth(frame.cloud, camera);
     Tiles tiles(targets.width, targets.height,
-                composite_rule(frame.settings.volume, frame.cloud.weight), has_sheets);
+                {.compositing = composite_rule(frame.settings.volume, frame.cloud.weight),
+                 .has_layers = has_sheets,
+                 .has_surfaces = targets.surface.has_value(),
+                 .limits = frame.limits});
     Drawer(frame, order, tiles).draw(progress);
     if (progress.cancelled()) return interrupted_error();
-    gl_.TextureSubImage2D(targets.colour.id(), 0, 0, 0, static_cast<GLsizei>(targets.width),
-                          static_cast<GLsizei>(targets.height), GL_RGBA, GL_FLOAT,
-                          tiles.rows().data());
+    upload(targets, targets.colour, tiles.colours());
+    if (targets.surface) upload(targets, *targets.surface, tiles.surfaces());
     return {};
   }
 
@@ -103,6 +108,12 @@ class CpuDrawing final : public VolumeDrawing {
     return *sheets;
   }
 
+  void upload(const VolumeTargets& targets, const Texture& texture,
+              const std::vector<glm::vec4>& rows) const {
+    gl_.TextureSubImage2D(texture.id(), 0, 0, 0, static_cast<GLsizei>(targets.width),
+                          static_cast<GLsizei>(targets.height), GL_RGBA, GL_FLOAT, rows.data());
+  }
+
   const Gl& gl_;
   std::array<std::optional<KernelSheets>, 3> sheets_;  ///< by axis
   std::uint64_t version_ = 0;
@@ -110,13 +121,10 @@ class CpuDrawing final : public VolumeDrawing {
 
 }  // namespace
 
-bool is_for_cpu(const Gl& gl, const VolumeFrame& frame) {
-  const VolumeVisibility visibility = visibility_of(frame.cloud, frame.settings.volume.visibility);
-  const VolumeDrawingBy by = frame.settings.volume.drawn_by;
-  const bool is_wanted =
-      by == VolumeDrawingBy::Cpu || (by == VolumeDrawingBy::Automatic && draws_on_cpu(gl));
-  return is_wanted && !frame.is_limited && visibility != VolumeVisibility::ImageSheet &&
-         !frame.features.has(RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH);
+bool is_for_cpu(const Gl& gl, const KernelCloud& cloud, const VolumeSettings& settings) {
+  if (visibility_of(cloud, settings.visibility) == VolumeVisibility::ImageSheet) return false;
+  return settings.drawn_by == VolumeDrawingBy::Cpu ||
+         (settings.drawn_by == VolumeDrawingBy::Automatic && draws_on_cpu(gl));
 }
 
 std::unique_ptr<VolumeDrawing> make_cpu_drawing(const Gl& gl) {

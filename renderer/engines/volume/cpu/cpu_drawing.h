@@ -8,9 +8,9 @@
 
 namespace relief::volume {
 
-/// Whether CpuDrawing draws this frame as volume-reference does: no slabs, no surface beside it,
-/// and only the colour is asked for.
-[[nodiscard]] bool is_for_cpu(const Gl& gl, const VolumeFrame& frame);
+/// Whether CpuDrawing draws these kernels: as volume-reference does, but no slabs.
+[[nodiscard]] bool is_for_cpu(const Gl& gl, const KernelCloud& cloud,
+                              const VolumeSettings& settings);
 
 [[nodiscard]] std::unique_ptr<VolumeDrawing> make_cpu_drawing(const Gl& gl);
 

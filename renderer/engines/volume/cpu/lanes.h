@@ -86,4 +86,18 @@ RELIEF_IN_LANES Floats exp2_of(const Floats& e) {
   return p * reinterpret_cast<Floats>(biased << 23);
 }
 
+/// The share of a normal distribution of deviation 1 that lies below x [Abramowitz and Stegun
+/// 26.2.17], to 4e-7.
+RELIEF_IN_LANES Floats normal_distribution(const Floats& x) {
+  constexpr float kHalfLog2E = 0.72134752F;
+  const Floats a = smaller(larger(x, -x), all_of(12.0F));
+  const Floats t = 1.0F / (1.0F + 0.2316419F * a);
+  Floats p = t * 1.330274429F - 1.821255978F;
+  p = p * t + 1.781477937F;
+  p = p * t - 0.356563782F;
+  p = p * t + 0.319381530F;
+  const Floats tail = exp2_of(-kHalfLog2E * a * a) * 0.3989422804F * t * p;
+  return x < 0.0F ? tail : 1.0F - tail;
+}
+
 }  // namespace relief::volume::cpu

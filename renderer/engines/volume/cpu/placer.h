@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/engines/volume/cpu/distant_lights.h"
+#include "renderer/engines/volume/cpu/grid_projection.h"
 #include "renderer/engines/volume/cpu/tiles.h"
 #include "renderer/engines/volume/drawing.h"
 #include "renderer/volume/splats/ray_space.h"
@@ -26,8 +27,8 @@ class Placer {
  private:
   void place_each(std::span<const std::uint32_t> kernels, std::uint32_t group, const Tiles& tiles,
                   Piece& piece) const;
-  void place_lanes(std::span<const std::uint32_t> kernels, std::uint32_t group, const Tiles& tiles,
-                   Piece& piece) const;
+  void place_lanes(const GridProjection& grid, std::span<const std::uint32_t> kernels,
+                   std::uint32_t group, const Tiles& tiles, Piece& piece) const;
   /// Of the first kLanes kernels; those that are not seen need none.
   [[nodiscard, gnu::always_inline]] Vectors colours_of(std::span<const std::uint32_t> kernels,
                                                        const Vectors& from_eye,
@@ -35,8 +36,8 @@ class Placer {
 
   const VolumeFrame& frame_;
   RayCamera camera_;
-  std::optional<Variance> in_camera_;  ///< of all kernels
-  bool takes_lanes_ = false;
+  std::optional<Variance> in_camera_;   ///< of all kernels
+  std::optional<GridProjection> grid_;  ///< where kernels are placed in lanes
 };
 
 }  // namespace relief::volume::cpu

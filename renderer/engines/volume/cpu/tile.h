@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 
 #include "renderer/volume/splats/composite_rule.h"
 
@@ -42,6 +43,21 @@ struct Splat {
   Box box;                  ///< in the image
 };
 
+/// Where a splat's kernel lies and what it faces: for images that show it, and that end it at
+/// surfaces.
+struct SplatSurface {
+  /// Along the view axis, world units: a kernel's depths at a pixel are a Gaussian about
+  /// depth + right * dx + down * dy, at (dx, dy) from the splat's centre.
+  float depth = 0.0F;
+  float right = 0.0F;
+  float down = 0.0F;
+  float per_deviation = 0.0F;  ///< 1 / its standard deviation
+  glm::vec3 normal{0.0F};
+};
+
+/// Deviations of depths that are smaller count as that: 1 / deviation is finite.
+inline constexpr float kLeastDeviation = 1e-30F;
+
 /// Weights that differ by more are not found from those of the row before, of which nothing may be
 /// left.
 inline constexpr float kSteep = 80.0F;
@@ -75,19 +91,38 @@ struct alignas(64) TilePixels {
   TileFloats is_open{};  ///< 1, or 0 where nothing more is seen
 };
 
+/// Normals and depths: sums of a layer, or what pixels show.
+struct alignas(64) TileSurfaces {
+  TileFloats normal_x{};
+  TileFloats normal_y{};
+  TileFloats normal_z{};
+  TileFloats depth{};  ///< of what pixels show: where half of what is behind is covered
+};
+
+/// What a tile has beside colours, if anything.
+struct TileExtras {
+  const TileFloats* limits = nullptr;  ///< depths at which what pixels show ends
+  TileSurfaces* layer = nullptr;       ///< both or none
+  TileSurfaces* shown = nullptr;
+
+  [[nodiscard]] bool is_any() const { return limits != nullptr || shown != nullptr; }
+};
+
 /// Nothing shown; open where the tile lies in the image.
 [[nodiscard]] TilePixels open_tile(const Box& tile);
 
-/// Adds a splat to a layer, in the part of its box that lies in `tile`.
-void add(const Splat& splat, const Box& tile, TileLayer& layer);
+/// Adds a splat to a layer, in the part of its box that lies in `tile`. `surface`: for extras.
+void add(const Splat& splat, const SplatSurface* surface, const Box& tile, const TileExtras& extras,
+         TileLayer& layer);
 
 /// Puts a layer behind what some pixels of the tile show [Zwicker 2002, Eq. (7) and (10)], and
 /// empties it. Returns whether more is seen in one of them.
-bool put_behind(const Box& touched, const Box& tile, const CompositeRule& rule, TileLayer& layer,
-                TilePixels& pixels);
+bool put_behind(const Box& touched, const Box& tile, const CompositeRule& rule,
+                const TileExtras& extras, TileLayer& layer, TilePixels& pixels);
 
 /// Puts a splat behind what the pixels show, as a layer of its own.
-void put_behind(const Splat& splat, const Box& tile, const CompositeRule& rule, TilePixels& pixels);
+void put_behind(const Splat& splat, const SplatSurface* surface, const Box& tile,
+                const CompositeRule& rule, const TileExtras& extras, TilePixels& pixels);
 
 /// Whether something more is seen in a pixel.
 [[nodiscard]] bool is_open(const TilePixels& pixels);
