@@ -88,7 +88,7 @@ void choose_engine(ViewArguments& arguments) {
   const bool has_kernels =
       std::any_of(arguments.files.begin(), arguments.files.end(),
                   [&](const auto& file) { return shows_kernels(file, arguments.volume); });
-  if (has_kernels) arguments.settings.engine = kVolumeEngineOfWindows;
+  if (has_kernels) arguments.settings.engine = kVolumeEngine;
 }
 
 }  // namespace

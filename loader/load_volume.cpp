@@ -133,7 +133,7 @@ void fit_engine(ScenePlan& plan, const VolumeReadOptions& options) {
     const auto engine = engine_of(view);
     if (!engine || draws(**engine, ModelForm::Volume) == is_for_kernels) continue;
     view.settings.engine.reset();
-    if (is_for_kernels) view.settings.engine = kVolumeEngineOfWindows;
+    if (is_for_kernels) view.settings.engine = kVolumeEngine;
   }
 }
 

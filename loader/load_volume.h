@@ -15,12 +15,8 @@
 
 namespace relief {
 
-/// The engine that draws volumes and 3D Gaussians where none is named. On OpenGL without a GPU they
-/// take as long or longer (docs/decisions/0119).
-inline constexpr const char* kVolumeEngine = "volume-reference";
-
-/// That of a window, which draws with OpenGL.
-inline constexpr const char* kVolumeEngineOfWindows = "volume";
+/// The engine that draws volumes and 3D Gaussians where none is named.
+inline constexpr const char* kVolumeEngine = "volume";
 
 /// Whether a file is drawn as kernels: a volume, 3D Gaussians, or a scan if the options name a
 /// scalar of its points. Reads at most its header; a file that can't be read is neither.

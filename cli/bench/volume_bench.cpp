@@ -15,6 +15,7 @@ namespace relief::cli {
 namespace {
 
 constexpr const char* kTruthEngine = "volume-truth";
+constexpr const char* kReferenceEngine = "volume-reference";  ///< of what has no truth
 
 /// A row while it is timed.
 struct Timed {
@@ -53,10 +54,10 @@ Result<std::pair<Image, std::string>> truth_of(const RenderModel& model, const B
       return std::pair(std::move(drawn->image), exact->name);
     if (progress.cancelled()) return interrupted_error();
   }
-  RELIEF_TRY_ASSIGN(const EngineEntry* const usual, engine_named(kVolumeEngine));
-  RELIEF_TRY_ASSIGN(const auto settings, settings_for(view, *usual));
+  RELIEF_TRY_ASSIGN(const EngineEntry* const reference, engine_named(kReferenceEngine));
+  RELIEF_TRY_ASSIGN(const auto settings, settings_for(view, *reference));
   RELIEF_TRY_ASSIGN(auto drawn, render(model, settings, progress));
-  return std::pair(std::move(drawn.image), usual->name);
+  return std::pair(std::move(drawn.image), reference->name);
 }
 
 Status prepare(const RenderModel& model, const std::vector<VolumeBenchRow>& rows,

@@ -160,4 +160,16 @@ std::vector<EngineOption> volume_options() {
   return options;
 }
 
+EngineOption coarse_option() {
+  return number_option(
+      {.key = "pixels-per-node",
+       .range = kPixelsPerNode,
+       .placeholder = "P",
+       .help =
+           "draws a regular grid as coarsely as its nodes are seen at most so many pixels apart; "
+           "0: as it is",
+       .default_text = "0"},
+      [](RenderSettings& settings) -> double& { return settings.volume.pixels_per_node; });
+}
+
 }  // namespace relief

@@ -9,4 +9,7 @@ namespace relief {
 
 [[nodiscard]] std::vector<EngineOption> volume_options();
 
+/// pixels-per-node, of engines that splat.
+[[nodiscard]] EngineOption coarse_option();
+
 }  // namespace relief

@@ -118,7 +118,7 @@ class VolumeCommand : public JsonTest {
 TEST_F(VolumeCommand, ReportsTheEngineThatDrawsVolumesWhereNoneIsNamed) {
   for (const std::string& scene : {write_ball(), write_gaussians()}) {
     const auto report = run_json({"render", scene, "-o", path("a.png"), "--size", "40x32"});
-    EXPECT_EQ(report["engine"], "volume-reference") << report;
+    EXPECT_EQ(report["engine"], "volume") << report;
     EXPECT_GT(report["covered_pixels"].get<int>(), 20) << report;
   }
 }
@@ -151,8 +151,8 @@ TEST_F(VolumeCommand, EachOptionOfVolumesChangesTheImage) {
 TEST_F(VolumeCommand, DefaultsAreWhatTheyAreCalled) {
   const std::string ball = write_ball();
   const std::vector<float> usual = pixels_of(ball, {});
-  EXPECT_EQ(usual, pixels_of(ball, {"--engine", "volume-reference", "--filter", "ewa",
-                                    "--visibility", "sheet", "--cutoff", "4", "--transfer", "auto",
+  EXPECT_EQ(usual, pixels_of(ball, {"--engine", "volume", "--filter", "ewa", "--visibility",
+                                    "sheet", "--cutoff", "4", "--transfer", "auto",
                                     "--kernel-sigma", "1", "--attenuation", "linear"}));
   const std::string gaussians = write_gaussians();
   EXPECT_EQ(
@@ -211,7 +211,7 @@ TEST_F(VolumeCommand, AScenesKeysAreThoseOfTheOptions) {
 TEST_F(VolumeCommand, WrongValuesAreWrongUsage) {
   const std::string ball = write_ball();
   expect_wrong(ball, {"--filter", "circular"},
-               "--filter: engine volume-reference: expected auto, ewa, uniform-scaling");
+               "--filter: engine volume: expected auto, ewa, uniform-scaling");
   expect_wrong(ball, {"--visibility", "back"},
                "expected auto, sheet, image-sheet, sorted; found back");
   expect_wrong(ball, {"--attenuation", "cubic"}, "expected linear, exponential; found cubic");
@@ -227,9 +227,10 @@ TEST_F(VolumeCommand, WrongValuesAreWrongUsage) {
   expect_wrong(ball, {"--gaussian-near", "-1"}, "expected a number from 0 to 1e+12; found -1");
   expect_wrong(ball, {"--jacobian-clamp", "101"}, "expected a number from 0 to 100; found 101");
   expect_wrong(ball, {"--transfer", ""}, "--transfer");
-  expect_wrong(ball, {"--truth", "field"}, "engine volume-reference does not have it");
+  expect_wrong(ball, {"--truth", "field"}, "engine volume does not have it");
   expect_wrong(ball, {"--raw", "3x4"}, "--raw");
-  expect_wrong(ball, {"--explain"}, "engine volume-reference has none");
+  expect_wrong(ball, {"--engine", "volume-reference", "--explain"},
+               "engine volume-reference has none");
 }
 
 TEST_F(VolumeCommand, WhatCanNotBeDrawnIsOneSentence) {

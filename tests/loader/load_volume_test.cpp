@@ -72,7 +72,7 @@ TEST_F(LoadingVolumes, FilesAreKnownByNameByHeaderOrByALayout) {
 
 TEST_F(LoadingVolumes, AreDrawnByTheirEngineUnlessOneIsNamed) {
   for (const auto& file : {write("a.nrrd", small_nrrd()), write_gaussians("b.ply", 1)}) {
-    EXPECT_EQ(planned(file).views.front().settings.engine, "volume-reference");
+    EXPECT_EQ(planned(file).views.front().settings.engine, "volume");
     SceneSettings named;
     named.engine = "volume-truth";
     EXPECT_EQ(planned(file, named).views.front().settings.engine, "volume-truth");
@@ -86,7 +86,7 @@ TEST_F(LoadingVolumes, EachViewOfASceneHasItsEngine) {
   const ScenePlan plan = planned(write("scene.json", R"({"models": [{"file": "a.nrrd"}],
       "views": [{"name": "a"}, {"name": "b", "engine": "volume"}]})"));
   ASSERT_EQ(plan.views.size(), 2U);
-  EXPECT_EQ(plan.views[0].settings.engine, "volume-reference");
+  EXPECT_EQ(plan.views[0].settings.engine, "volume");
   EXPECT_EQ(plan.views[1].settings.engine, "volume");
   const LoadedScene scene = must_load(plan);
   ASSERT_TRUE(scene.volume);

@@ -75,7 +75,7 @@ TEST_F(VolumeScenes, AllKindsAreInOneScene) {
   EXPECT_TRUE(std::holds_alternative<GaussianCloud>(parts[3].what));
   EXPECT_EQ(parts[1].settings, 2U);
   EXPECT_EQ(parts[1].material, 1U);
-  EXPECT_TRUE(loaded->mesh) << "raytrace draws the surface";
+  EXPECT_FALSE(loaded->patches.patches.empty()) << "onepass draws the surface";
   // Cameras see the moved volume to the right and the square behind.
   EXPECT_EQ(loaded->patches.bounds.max.x, 13.0);
   EXPECT_EQ(loaded->patches.bounds.min.z, -10.0);

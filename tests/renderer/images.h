@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -119,6 +120,24 @@ inline const std::vector<Method>& all_methods() {
       {Primitive::Cell, Interpolation::Direct, "cell_direct"},
       {Primitive::Cell, Interpolation::Corrected, "cell_corrected"}};
   return methods;
+}
+
+/// Of colour and alpha in dB, against a range of 1; infinite for equal images, 0 for images of
+/// different sizes.
+inline double psnr(const Image& a, const Image& b) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const char* const name : {"R", "G", "B", "A"}) {
+    const Channel* const x = a.find(name);
+    const Channel* const y = b.find(name);
+    if (x == nullptr || y == nullptr || x->values.size() != y->values.size()) return 0.0;
+    for (std::size_t k = 0; k < x->values.size(); ++k) {
+      const double off = static_cast<double>(x->values[k]) - static_cast<double>(y->values[k]);
+      sum += off * off;
+      count += 1.0;
+    }
+  }
+  return sum > 0.0 ? 10.0 * std::log10(count / sum) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace relief::test

@@ -9,6 +9,7 @@ namespace {
 
 std::vector<EngineOption> options() {
   std::vector<EngineOption> options = volume_options();
+  options.push_back(coarse_option());
   options.push_back(
       choice_option({.key = "drawn-by",
                      .help = "what draws kernels: shaders, or the CPU without OpenGL",

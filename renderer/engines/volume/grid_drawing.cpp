@@ -133,6 +133,7 @@ bool is_for_grid(const Gl& gl, const VolumeFrame& frame, const ScalarVolume* vol
   const KernelCloud& cloud = frame.cloud;
   const bool is_uniform = cloud.variances.size() == 1 && cloud.is_surface.empty();
   if (grid == nullptr || !is_uniform || cloud.count() == 0) return false;
+  if (cloud.size != volume->size) return false;  // coarser kernels
   if (visibility_of(cloud, frame.settings.volume.visibility) != VolumeVisibility::Sheet)
     return false;
   const auto most = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_3D_TEXTURE_SIZE));

@@ -1,5 +1,4 @@
 // The registry's entry of the engine `volume-reference`.
-#include "renderer/engine_options.h"
 #include "renderer/engines/volume_reference/render_volume_reference.h"
 #include "renderer/volume/options.h"
 
@@ -9,15 +8,7 @@ namespace {
 
 std::vector<EngineOption> all_options() {
   std::vector<EngineOption> options = volume_options();
-  options.push_back(number_option(
-      {.key = "pixels-per-node",
-       .range = kPixelsPerNode,
-       .placeholder = "P",
-       .help =
-           "draws a regular grid as coarsely as its nodes are seen at most so many pixels apart; "
-           "0: as it is",
-       .default_text = "0"},
-      [](RenderSettings& settings) -> double& { return settings.volume.pixels_per_node; }));
+  options.push_back(coarse_option());
   return options;
 }
 

@@ -11,26 +11,12 @@
 #include "common/volume/gaussian_cloud.h"
 #include "common/volume/scalar_volume.h"
 #include "renderer/render.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
-/// Of all float channels of the colour, against a range of 1; infinite for equal images.
-double psnr(const Image& a, const Image& b) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (const char* const name : {"R", "G", "B", "A"}) {
-    const Channel* const x = a.find(name);
-    const Channel* const y = b.find(name);
-    if (x == nullptr || y == nullptr || x->values.size() != y->values.size()) return 0.0;
-    for (std::size_t k = 0; k < x->values.size(); ++k) {
-      const double off = static_cast<double>(x->values[k]) - static_cast<double>(y->values[k]);
-      sum += off * off;
-      count += 1.0;
-    }
-  }
-  return sum > 0.0 ? 10.0 * std::log10(count / sum) : std::numeric_limits<double>::infinity();
-}
+using test::psnr;
 
 /// Two balls of different values, with a gap between them and a soft border.
 float value_at(glm::dvec3 p) {
