@@ -2,7 +2,7 @@
 # The one list of the system packages that Relief needs: the names are those of Debian 12 and 13 and of
 # Ubuntu 24.04. Installs the missing packages of the given groups; prints nothing if none is missing.
 #
-#   scripts/packages.sh build run [raster] [laz] [test] [window-test] [check] [demo] [integrations]
+#   scripts/packages.sh build run [raster] [laz] [dicom] [test] [window-test] [check] [demo] [integrations]
 #   scripts/packages.sh --list build run        # prints the names and installs nothing
 set -euo pipefail
 
@@ -16,12 +16,13 @@ group() {
     run) echo libegl1 libgl1-mesa-dri libosmesa6 fonts-dejavu-core ;;
     raster) echo gdal-bin ;;                         # brings libgdal, which is opened while running
     laz) if ! grep -qs '^VERSION_ID="12"' /etc/os-release; then echo liblaszip-dev; fi ;;  # not in Debian 12
+    dicom) echo libgdcm-dev ;;                       # 17 MB
     test) echo libgtest-dev python3 ;;
     window-test) echo xvfb xdotool ;;                # a display without a screen, and hands that use it
     check) echo clang-tidy clang-format clang libclang-rt-dev ;;  # -rt: libFuzzer
     demo) echo npm ca-certificates ;;                # the Dragon comes in an npm package
     integrations) echo libpcl-dev libopenmesh-dev ;; # 1 GB; tests of <relief/pcl.h> and <relief/openmesh.h>
-    *) echo "packages.sh: no group '$1'; there are build, window, run, raster, laz, test, window-test, check, demo and" \
+    *) echo "packages.sh: no group '$1'; there are build, window, run, raster, laz, dicom, test, window-test, check, demo and" \
       "integrations" >&2; return 2 ;;
   esac
 }

@@ -8,7 +8,7 @@ preset=${RELIEF_PRESET:-dev}
 stage() { echo "== $1 (at ${SECONDS} s)"; }
 
 stage "packages"
-scripts/packages.sh build run raster laz test window-test
+scripts/packages.sh build run raster laz dicom test window-test
 stage "configure"
 cmake --preset "$preset"
 stage "build"

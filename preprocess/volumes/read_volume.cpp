@@ -6,6 +6,7 @@
 
 #include "common/guard.h"
 #include "preprocess/readers/source.h"
+#include "preprocess/volumes/dicom/dicom.h"
 #include "preprocess/volumes/volume_readers.h"
 
 namespace relief {
@@ -39,10 +40,25 @@ Result<ScalarVolume> read_by_format(const VolumeSource& source, const VolumeRead
       source.name, volume_extensions());
 }
 
+/// What `read` returns, if it has values. Exceptions become errors.
+template <class Read>
+Result<ScalarVolume> checked_volume(const std::string& name, const Read& read) {
+  return guarded({.subject = name,
+                  .task = "read it",
+                  .advice = "the file may be damaged: write it again",
+                  .memory_advice = "crop or downsample the volume"},
+                 [&]() -> Result<ScalarVolume> {
+                   RELIEF_TRY_ASSIGN(auto volume, read());
+                   if (std::ranges::all_of(volume.values, [](float v) { return std::isnan(v); }))
+                     return make_error("{}: holds no value that is a finite number", name);
+                   return volume;
+                 });
+}
+
 }  // namespace
 
 bool is_volume(const std::filesystem::path& path, const VolumeReadOptions& options) {
-  return options.raw.has_value() || volume_format(path) != nullptr;
+  return options.raw.has_value() || volume_format(path) != nullptr || is_dicom(path);
 }
 
 std::string volume_extensions() {
@@ -58,21 +74,16 @@ Result<ScalarVolume> read_volume_bytes(const std::filesystem::path& path,
                                        std::span<const std::byte> bytes,
                                        const VolumeReadOptions& options, Progress& progress) {
   const std::string name = path.string();
-  return guarded({.subject = name,
-                  .task = "read it",
-                  .advice = "the file may be damaged: write it again",
-                  .memory_advice = "crop or downsample the volume"},
-                 [&]() -> Result<ScalarVolume> {
-                   progress.begin_stage("read", bytes.size());
-                   RELIEF_TRY_ASSIGN(auto volume, read_by_format({name, bytes, progress}, options));
-                   if (std::ranges::all_of(volume.values, [](float v) { return std::isnan(v); }))
-                     return make_error("{}: holds no value that is a finite number", name);
-                   return volume;
-                 });
+  return checked_volume(name, [&] {
+    progress.begin_stage("read", bytes.size());
+    return read_by_format({name, bytes, progress}, options);
+  });
 }
 
 Result<ScalarVolume> read_volume(const std::filesystem::path& path,
                                  const VolumeReadOptions& options, Progress& progress) {
+  if (!options.raw && is_dicom(path))
+    return checked_volume(path.string(), [&] { return read_dicom(path, progress); });
   RELIEF_TRY_ASSIGN(const auto file, MappedFile::open(path));
   return read_volume_bytes(path, file.bytes(), options, progress);
 }

@@ -67,7 +67,9 @@ void name_text(const fs::path& file, float right) {
 /// Returns whether it is to be closed.
 bool file_row(const fs::path& file, const PanelContext& panel) {
   const auto bytes = bytes_of(file, panel);
-  const std::string size = bytes ? size_text(*bytes) : std::string("not there");
+  std::error_code ignored;
+  const char* const unsized = fs::is_directory(file, ignored) ? "folder" : "not there";
+  const std::string size = bytes ? size_text(*bytes) : std::string(unsized);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float button = ImGui::GetFrameHeight();
   const float start = ImGui::GetCursorPosX();

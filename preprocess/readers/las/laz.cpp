@@ -3,17 +3,9 @@
 #include "preprocess/readers/las/las_point.h"
 
 #ifdef RELIEF_LASZIP
-#include <fcntl.h>
 #include <laszip/laszip_api.h>
-#include <poll.h>
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <istream>
@@ -22,6 +14,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "common/io/confined_child.h"
 #endif
 
 namespace relief {
@@ -31,9 +25,8 @@ namespace {
 
 /// Records that the child writes at a time take about so much.
 constexpr std::size_t kBatchBytes = 65536;
-constexpr int kWaitMilliseconds = 100;
 /// Memory that LASzip may take beside the file.
-constexpr rlim_t kMostMemory = rlim_t{2} << 30U;
+constexpr std::uint64_t kMostMemory = std::uint64_t{2} << 30U;
 
 /// What the child writes before each batch of points. A batch without points is the last one, and
 /// `text` says why it ends.
@@ -108,20 +101,8 @@ void write_record(const laszip_point_struct& p, const LasHeader& header, char* r
     std::memcpy(record + standard, p.extra_bytes, std::min(extra, header.stride - standard));
 }
 
-bool write_all(int pipe, const void* bytes, std::size_t size) {
-  const char* at = static_cast<const char*>(bytes);
-  while (size > 0) {
-    const ssize_t put = ::write(pipe, at, size);
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return false;
-    at += put;
-    size -= static_cast<std::size_t>(put);
-  }
-  return true;
-}
-
 /// Unpacks the points into a pipe, in the child.
-void unpack(std::string_view text, const LasHeader& header, int pipe) {
+void unpack(std::string_view text, const LasHeader& header, const ChildOutput& output) {
   TextBuffer buffer(text);
   std::istream stream(&buffer);
   laszip_POINTER laszip = nullptr;
@@ -138,8 +119,8 @@ void unpack(std::string_view text, const LasHeader& header, int pipe) {
     if (good) write_record(*point, header, records.data() + batch.points++ * header.stride);
     if (batch.points < most && good && i + 1 < header.points) continue;
     batch.offset = buffer.position();
-    if (batch.points > 0 && (!write_all(pipe, &batch, sizeof batch) ||
-                             !write_all(pipe, records.data(), batch.points * header.stride)))
+    if (batch.points > 0 && (!output.write(&batch, sizeof batch) ||
+                             !output.write(records.data(), batch.points * header.stride)))
       return;
     batch.points = 0;
   }
@@ -147,25 +128,7 @@ void unpack(std::string_view text, const LasHeader& header, int pipe) {
   laszip_CHAR* why = nullptr;
   if (!good && laszip != nullptr && laszip_get_error(laszip, &why) == 0 && why != nullptr)
     std::snprintf(batch.text.data(), batch.text.size(), "%s", why);
-  (void)write_all(pipe, &batch, sizeof batch);
-}
-
-/// Limits the child and makes it end with its parent.
-void confine() {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  ::signal(SIGPIPE, SIG_DFL);
-  for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGABRT}) ::signal(fault, SIG_DFL);
-  const struct rlimit no_core { 0, 0 };
-  ::setrlimit(RLIMIT_CORE, &no_core);
-  unsigned long pages = 0;
-  if (FILE* const size = std::fopen("/proc/self/statm", "r"); size != nullptr) {
-    if (std::fscanf(size, "%lu", &pages) != 1) pages = 0;
-    std::fclose(size);
-  }
-  if (pages == 0) return;
-  const rlim_t most = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + kMostMemory;
-  const struct rlimit memory { most, most };
-  ::setrlimit(RLIMIT_AS, &memory);
+  (void)output.write(&batch, sizeof batch);
 }
 
 /// LASzip trusts its files: damaged ones make it read and write where nothing is (version 3.5.0:
@@ -175,35 +138,13 @@ class PackedReader final : public LasRecordReader {
  public:
   PackedReader(const Source& source, const LasHeader& header)
       : name_(source.name), progress_(source.progress), header_(header) {}
-  ~PackedReader() override {
-    if (pipe_ >= 0) ::close(pipe_);
-    if (child_ <= 0) return;
-    ::kill(child_, SIGKILL);
-    while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
-    }
-  }
 
   Status start(std::string_view text) {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-      return make_error("{}: no process can be started to unpack it: {}", name_,
-                        std::strerror(errno));
-    child_ = ::fork();
-    if (child_ == 0) {
-      ::close(ends[0]);
-      confine();
-      try {
-        unpack(text, header_, ends[1]);
-      } catch (...) {
-        ::_exit(1);
-      }
-      ::_exit(0);
-    }
-    ::close(ends[1]);
-    pipe_ = ends[0];
-    if (child_ > 0) return {};
+    const Status started = child_.start(
+        kMostMemory, [&](const ChildOutput& output) { unpack(text, header_, output); });
+    if (started) return {};
     return make_error("{}: no process can be started to unpack it: {}", name_,
-                      std::strerror(errno));
+                      started.error().message);
   }
 
   Result<const char*> next() override {
@@ -231,20 +172,15 @@ class PackedReader final : public LasRecordReader {
   }
 
   Status read_all(void* bytes, std::size_t size) {
-    for (char* at = static_cast<char*>(bytes); size > 0;) {
-      if (progress_.cancelled()) return interrupted_error();
-      struct pollfd wait {
-        pipe_, POLLIN, 0
-      };
-      const int ready = ::poll(&wait, 1, kWaitMilliseconds);
-      if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
-      const ssize_t got = ::read(pipe_, at, size);
-      if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) return damaged("LASzip gave up");
-      at += got;
-      size -= static_cast<std::size_t>(got);
+    switch (child_.read(bytes, size, progress_)) {
+      case ConfinedChild::Got::All:
+        return {};
+      case ConfinedChild::Got::Interrupted:
+        return interrupted_error();
+      case ConfinedChild::Got::Ended:
+        break;
     }
-    return {};
+    return damaged("LASzip gave up");
   }
 
   [[nodiscard]] Error damaged(std::string_view why) const {
@@ -257,8 +193,7 @@ class PackedReader final : public LasRecordReader {
   std::string name_;
   Progress& progress_;
   LasHeader header_;
-  pid_t child_ = -1;
-  int pipe_ = -1;
+  ConfinedChild child_;
   BatchHeader batch_;
   std::vector<char> records_;  // of the batch
   std::size_t at_ = 0;         // the next of them
