@@ -6,7 +6,7 @@
 
 #include "renderer/engines/volume/cpu/distant_lights.h"
 #include "renderer/engines/volume/cpu/lanes.h"
-#include "renderer/engines/volume/cpu/tile.h"
+#include "renderer/engines/volume/cpu/splat.h"
 
 namespace relief::volume::cpu {
 

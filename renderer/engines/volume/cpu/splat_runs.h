@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "renderer/engines/volume/cpu/lanes.h"
-#include "renderer/engines/volume/cpu/tile.h"
+#include "renderer/engines/volume/cpu/splat.h"
 
 namespace relief::volume::cpu {
 
