@@ -20,6 +20,10 @@ glm::dvec3 vector_of(const std::array<double, 3>& numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
+bool is_finite(const std::array<double, 3>& numbers) {
+  return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+}
+
 std::string_view series_of(const DicomSlice& slice) {
   return slice.series.data();
 }
@@ -154,6 +158,9 @@ Result<DicomStack> stack_slices(std::span<const path> files, std::span<const Dic
   std::vector<std::size_t>& order = stack.files;
   const DicomSlice& model = slices[order.front()];
   for (const std::size_t i : order) {
+    if (!is_finite(slices[i].position) || !is_finite(slices[i].along_row) ||
+        !is_finite(slices[i].along_column))
+      return make_error("{}: states a place that is no number; take it out", files[i].string());
     if (slices[i].is_truncated)
       return make_error("{}: is truncated: pixels are missing; copy it again", files[i].string());
     if (fit(model, slices[i])) continue;

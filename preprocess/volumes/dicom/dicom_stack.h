@@ -18,10 +18,10 @@ struct DicomStack {
   std::vector<std::size_t> files;  ///< by index, in the order of the values
 };
 
-/// Stacks slices by their places. `slices`: of each file. `chosen`: the file that the user named,
-/// whose series is stacked, or none, and then there is but one series. A file with several frames
-/// is a volume of its own. Fails, with a sentence, if the slices make no stack. Right-anterior-
-/// superior if the files say where they are.
+/// Stacks slices by their places. `slices`: of each file. `named`: one of the files, whose series
+/// is stacked, or the folder, which must hold but one. A file with several frames is a volume of
+/// its own. Right-anterior-superior if the files say where they are. Fails, with a sentence, if the
+/// slices make no stack.
 Result<DicomStack> stack_slices(std::span<const std::filesystem::path> files,
                                 std::span<const DicomSlice> slices,
                                 const std::filesystem::path& named);

@@ -225,8 +225,7 @@ Status read_dicom_values(std::span<const path> files, std::size_t count, std::ve
     if (got == ConfinedChild::Got::Ended) {
       return make_error(
           "{}: GDCM cannot read its {} pixels; it is truncated, damaged or packed in a way that "
-          "GDCM "
-          "does not know",
+          "GDCM does not know",
           files[i].string(), count);
     }
     progress.advance(1);
@@ -243,8 +242,7 @@ Result<std::vector<DicomSlice>> read_dicom_slices(std::span<const std::filesyste
                                                   Progress& /*progress*/) {
   return make_error(
       "{}: is DICOM, which this build cannot read: it was built without GDCM (libgdcm-dev); "
-      "convert "
-      "the series to NIfTI first, with `dcm2niix FOLDER`",
+      "convert the series to NIfTI first, with `dcm2niix FOLDER`",
       files.front().string());
 }
 
