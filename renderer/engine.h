@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/image/image.h"
 #include "common/progress.h"
 #include "common/scene/choices.h"
 #include "common/scene/option.h"
@@ -39,7 +40,15 @@ class PreparedModel {
   /// Renders one image, which does not depend on those rendered before. `settings` are among the
   /// views that the model was prepared for.
   virtual Result<RenderResult> render(const RenderSettings& settings, Progress& progress) = 0;
+
+  /// What one pixel of such an image shows, from one sample: an image of that pixel with colour,
+  /// depth and patch. `x` and `y`: from the lower left corner. An engine that cannot draw it alone
+  /// says that nothing is seen.
+  virtual Result<Image> probe(const RenderSettings& settings, std::uint32_t x, std::uint32_t y);
 };
+
+/// A pixel as PreparedModel::probe() has it where nothing is seen.
+[[nodiscard]] Image nothing_seen();
 
 /// Which levels of detail of a model's patches are kept on the GPU: those that the views choose, or
 /// all, for views that are not known yet.

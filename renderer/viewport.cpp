@@ -49,16 +49,6 @@ Texture make_colour(const Gl& gl, const Image& image) {
   return texture;
 }
 
-/// A pixel that shows nothing.
-Image nothing_seen() {
-  Image pixel{1, 1, {}};
-  for (const char* const name : {"R", "G", "B", "A"})
-    pixel.channels.push_back({name, ChannelType::Half, {0.0F}});
-  pixel.channels.push_back({"Z", ChannelType::Float, {std::numeric_limits<float>::infinity()}});
-  pixel.channels.push_back({"patch", ChannelType::Uint, {0.0F}});
-  return pixel;
-}
-
 }  // namespace
 
 struct Viewport::Reused {
@@ -298,23 +288,8 @@ double Viewport::depth_range(const RenderSettings& view) const {
 Result<Image> Viewport::probe(const RenderSettings& view, std::uint32_t x, std::uint32_t y) {
   assert(x < view.width && y < view.height);
   RELIEF_TRY_ASSIGN(PreparedModel* const prepared, prepared_for(view));
-  auto* const engine = dynamic_cast<GlPreparedModel*>(prepared);
-  if (engine == nullptr) return nothing_seen();
-  const Gl& gl = opengl_->gl();
-  const SavedState saved(gl);
-  RenderSettings settings = engine->settled(view);
-  settings.samples = 1;
-  settings.outputs = {};
-  settings.outputs.depth = true;
-  settings.outputs.patch_id = true;
-  RELIEF_TRY_ASSIGN(const GlFrame frame,
-                    engine->model().make_frame(settings, Raster{x, y, 1, 1, 1}));
-  RELIEF_TRY_ASSIGN(const auto drawing, engine->make_drawing(frame, settings, Counting::Off));
-  PassTimer timer(gl);
-  draw_frame(gl, frame, *drawing, timer);
-  Image pixel = read_targets(gl, frame.targets);
-  RELIEF_TRY(check_errors(gl, "the viewport"));
-  return pixel;
+  const SavedState saved(opengl_->gl());
+  return prepared->probe(view, x, y);
 }
 
 }  // namespace relief

@@ -116,8 +116,8 @@ class Viewport {
 
   /// Reads what one pixel of the view shows, `x` and `y` from the lower left corner: an image of
   /// one pixel with the channels of colour, "Z" and "patch" (common/image/image.h). Draws that
-  /// pixel alone and waits for it. An engine that draws whole images is not asked: its pixels show
-  /// nothing.
+  /// pixel alone and waits for it. Of kernels the depth is where half of what is behind is covered,
+  /// and the colour is none.
   Result<Image> probe(const RenderSettings& view, std::uint32_t x, std::uint32_t y);
 
  private:

@@ -145,7 +145,9 @@ class Refinement {
     const auto count = static_cast<Index>(window.size());
     const SurfacePlaces places = places_of(window);
     Eigen::MatrixXf numbers = winding_numbers(surface_of(window), places);
-    const Eigen::VectorXf others = numbers_(window) - numbers * sides_(window);
+    // A vector of its own: GCC 14 suspects a null pointer in the product with an indexed view.
+    const Eigen::VectorXf own = sides_(window);
+    const Eigen::VectorXf others = numbers_(window) - numbers * own;
     WindingTerms winding = winding_terms(std::move(numbers), places, others);
     SideEnergy energy{std::move(winding.pairs), winding.others + number_ * winding.number,
                       Eigen::VectorXf(count)};

@@ -25,6 +25,23 @@ Status check_size(const RenderSettings& settings) {
 
 }  // namespace
 
+Result<Image> GlPreparedModel::probe(const RenderSettings& settings, std::uint32_t x,
+                                     std::uint32_t y) {
+  const Gl& gl = model().gl();
+  RenderSettings wanted = settled(settings);
+  wanted.samples = 1;
+  wanted.outputs = {};
+  wanted.outputs.depth = true;
+  wanted.outputs.patch_id = true;
+  RELIEF_TRY_ASSIGN(const GlFrame frame, model().make_frame(wanted, Raster{x, y, 1, 1, 1}));
+  RELIEF_TRY_ASSIGN(const auto drawing, make_drawing(frame, wanted, Counting::Off));
+  PassTimer timer(gl);
+  draw_frame(gl, frame, *drawing, timer);
+  Image pixel = read_targets(gl, frame.targets);
+  RELIEF_TRY(check_errors(gl, "the pixel"));
+  return pixel;
+}
+
 Result<RenderResult> GlPreparedModel::render(const RenderSettings& asked, Progress& progress) {
   RELIEF_TRY(check_size(asked));
   if (asked.samples > 1) return render_supersampled(asked, progress);

@@ -28,6 +28,8 @@ class GlPreparedModel : public PreparedModel {
   /// whether the user interrupts.
   Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override;
 
+  Result<Image> probe(const RenderSettings& settings, std::uint32_t x, std::uint32_t y) override;
+
   /// The settings as this engine reads them: what it does not offer has the value that it draws.
   [[nodiscard]] virtual RenderSettings settled(const RenderSettings& asked) const { return asked; }
 

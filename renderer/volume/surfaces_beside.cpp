@@ -137,4 +137,9 @@ Result<SurfacesBeside::Drawn> SurfacesBeside::draw(const RenderSettings& setting
   return drawn;
 }
 
+Result<Image> SurfacesBeside::probe(const RenderSettings& settings, std::uint32_t x,
+                                    std::uint32_t y) {
+  return prepared_->probe(of_surfaces(settings, engine_), x, y);
+}
+
 }  // namespace relief

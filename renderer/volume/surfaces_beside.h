@@ -53,6 +53,9 @@ class SurfacesBeside {
   /// Fails as the engine does.
   Result<Drawn> draw(const RenderSettings& settings, Progress& progress);
 
+  /// As PreparedModel::probe().
+  Result<Image> probe(const RenderSettings& settings, std::uint32_t x, std::uint32_t y);
+
  private:
   SurfacesBeside(std::string engine, std::unique_ptr<PreparedModel> prepared)
       : engine_(std::move(engine)), prepared_(std::move(prepared)) {}

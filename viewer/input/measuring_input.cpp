@@ -28,12 +28,13 @@ std::optional<std::uint32_t> patch_of(const Image& pixel) {
   return static_cast<std::uint32_t>(patch->values.front()) - 1;
 }
 
-/// The query for the middle of a probed pixel.
-std::optional<PickQuery> query_of(const Image& pixel, glm::dvec2 cursor, const Session& session) {
-  const auto surface = surface_of(pixel, session, cursor);
-  const auto patch = patch_of(pixel);
-  if (!surface || !patch) return std::nullopt;
-  return PickQuery{surface->start, surface->direction, surface->depth, surface->pixel, *patch, {}};
+/// Of a pixel that shows no patch: of kernels, which have but a depth.
+PickedPoint kernels_at(const ProbedSurface& surface) {
+  PickedPoint picked;
+  picked.point.position = surface.position();
+  picked.point.normal = glm::dvec3(0.0);
+  picked.point.depth = surface.depth;
+  return picked;
 }
 
 /// The patches that are shown, if they are in memory; otherwise null.
@@ -152,24 +153,26 @@ std::optional<SurfacePoint> MeasuringInput::pick_exactly(const PickQuery& query,
 std::optional<PickedPoint> MeasuringInput::pick(glm::dvec2 cursor, Display& display,
                                                 const Session& session) {
   const auto pixel = display.probe(session, cursor);
-  if (!pixel) return std::nullopt;
-  auto query = query_of(*pixel, cursor, session);
-  if (!query) return std::nullopt;
+  const auto surface = pixel ? surface_of(*pixel, session, cursor) : std::nullopt;
+  if (!surface) return std::nullopt;
+  const auto patch = patch_of(*pixel);
+  if (!patch) return kernels_at(*surface);
+  PickQuery query{surface->start, surface->direction, surface->depth, surface->pixel, *patch, {}};
   picker_.set_model(model_of(session));
-  auto point = pick_exactly(*query, session);
+  auto point = pick_exactly(query, session);
   // Without a picker the neighbours, each of which is drawn to be known, are of no use.
   if (!point && (session.scene->tiles != nullptr || picker_.ready() != nullptr)) {
     const auto others = patches_about(cursor, display, session);
-    query->others = others;
-    point = pick_exactly(*query, session);
+    query.others = others;
+    point = pick_exactly(query, session);
   }
   if (point) return PickedPoint{*point, true};
   PickedPoint picked;
   picked.is_exact = false;
-  picked.point.position = query->start + query->depth * query->direction;
+  picked.point.position = surface->position();
   picked.point.normal = glm::dvec3(0.0);
-  picked.point.patch = query->patch;
-  picked.point.depth = query->depth;
+  picked.point.patch = query.patch;
+  picked.point.depth = query.depth;
   return picked;
 }
 

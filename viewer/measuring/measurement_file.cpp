@@ -28,7 +28,7 @@ Json as_json(const SurfacePoint& point) {
   Json json{{"position", as_json(point.position)}, {"normal", as_json(point.normal)}};
   json["colour"] =
       point.colour ? Json{point.colour->r, point.colour->g, point.colour->b} : Json(nullptr);
-  json["patch"] = point.patch;
+  json["patch"] = point.patch ? Json(*point.patch) : Json(nullptr);
   json["uv"] = {point.uv.x, point.uv.y};
   return json;
 }
@@ -97,7 +97,8 @@ std::string measurements_as_csv(std::span<const Measurement> measurements,
       table += point.colour
                    ? fmt::format("{},{},{}", point.colour->r, point.colour->g, point.colour->b)
                    : ",,";
-      table += fmt::format(",{}{}\n", point.patch, value_fields(values));
+      table += fmt::format(",{}{}\n", point.patch ? std::to_string(*point.patch) : std::string(),
+                           value_fields(values));
       values.clear();
     }
   }

@@ -35,7 +35,7 @@ struct SurfacePoint {
   glm::dvec3 normal{0.0, 0.0, 1.0};   ///< unit, world: the interpolated one, as shading has it
   std::optional<glm::u8vec3> colour;  ///< the stored texel that is nearest, sRGB; none if the patch
                                       ///< has no colours
-  std::uint32_t patch = 0;            ///< as in PickQuery
+  std::optional<std::uint32_t> patch;  ///< as in PickQuery; none of kernels, whose normal is 0
   glm::dvec2 uv{0.0};  ///< grid coordinates on the patch, as the output uv has them; texel (i, j)
                        ///< of a map is at (i, j) / scale
   double depth = 0.0;  ///< along the query's ray, in lengths of its direction

@@ -79,7 +79,8 @@ std::string hovered_text(const Session& session) {
   const SurfacePoint& point = session.hovered->point;
   std::string text = format_position(point.position, session.scene->patches.spacing);
   if (!session.hovered->is_exact) return text + "  (single precision)";
-  text += fmt::format("   patch {}   normal {:.3f}, {:.3f}, {:.3f}", point.patch + 1,
+  if (!point.patch) return text;
+  text += fmt::format("   patch {}   normal {:.3f}, {:.3f}, {:.3f}", *point.patch + 1,
                       point.normal.x, point.normal.y, point.normal.z);
   if (point.colour) {
     const glm::u8vec3 colour = *point.colour;

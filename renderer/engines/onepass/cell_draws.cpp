@@ -34,23 +34,23 @@ class CommandUpload {
 };
 
 /// How a multi-draw puts triangles together.
-struct Primitive {
+struct Assembly {
   GLenum mode = GL_TRIANGLES;
   GLenum indices = GL_NONE;  ///< their type; none: vertices in a row
 };
 
-void draw_commands(const Gl& gl, const Commands& commands, Primitive primitive,
+void draw_commands(const Gl& gl, const Commands& commands, Assembly assembly,
                    DrawThrottle& throttle) {
   gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.buffer.id());
-  const bool has_indices = primitive.indices != GL_NONE;
+  const bool has_indices = assembly.indices != GL_NONE;
   const std::size_t bytes = has_indices ? sizeof(ElementsCommand) : sizeof(ArraysCommand);
   for (const Commands::Slice& slice : commands.slices) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset in the buffer, which OpenGL takes so
     const void* const first = reinterpret_cast<const void*>(bytes * slice.first);
     if (has_indices)
-      gl.MultiDrawElementsIndirect(primitive.mode, primitive.indices, first, slice.count, 0);
+      gl.MultiDrawElementsIndirect(assembly.mode, assembly.indices, first, slice.count, 0);
     else
-      gl.MultiDrawArraysIndirect(primitive.mode, first, slice.count, 0);
+      gl.MultiDrawArraysIndirect(assembly.mode, first, slice.count, 0);
     throttle.drew(slice.triangles);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -90,6 +91,37 @@ class Prepared final : public PreparedModel {
     return result;
   }
 
+  Result<Image> probe(const RenderSettings& asked, std::uint32_t x, std::uint32_t y) override {
+    const RenderSettings settings = model_.settled(asked);
+    Image pixel = nothing_seen();
+    if (surfaces_) {
+      RELIEF_TRY_ASSIGN(pixel, surfaces_->probe(settings, x, y));
+    }
+    const Progress silent;
+    RELIEF_TRY_ASSIGN(const KernelCloud* const cloud, model_.kernels(settings, silent));
+    const View whole = volume_view(settings);
+    const View view = view_of_part(whole, {.left = x, .bottom = y, .width = 1, .height = 1});
+    const std::vector<FootprintRule> footprints = model_.footprint_rules(settings, whole);
+    const float limit = pixel.find("Z")->values.front();
+    const float kernels =
+        cpu_->depth_of_pixel({.cloud = *cloud,
+                              .cloud_version = model_.version(),
+                              .box = {},
+                              .colours = {},
+                              .colour = [](std::size_t) { return glm::vec3(0.0F); },
+                              .view = view,
+                              .settings = settings,
+                              .footprints = footprints,
+                              .features = {},
+                              .limits = std::span(&limit, 1)});
+    if (!std::isfinite(kernels)) return pixel;
+    Image kernels_seen = nothing_seen();
+    for (Channel& channel : kernels_seen.channels) {
+      if (channel.name == "Z") channel.values.front() = kernels;
+    }
+    return kernels_seen;
+  }
+
  private:
   [[nodiscard]] const Gl& gl() const { return opengl_->gl(); }
 
@@ -164,7 +196,7 @@ class Prepared final : public PreparedModel {
   std::unique_ptr<GridDrawing> grid_;  ///< of a regular grid
   std::unique_ptr<VolumeDrawing> quads_;
   std::unique_ptr<VolumeDrawing> lists_;
-  std::unique_ptr<VolumeDrawing> cpu_;
+  std::unique_ptr<CpuDrawing> cpu_;
 };
 
 }  // namespace

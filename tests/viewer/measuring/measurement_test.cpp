@@ -116,6 +116,7 @@ std::vector<Measurement> awkward_measurements() {
   distance.name = "eave, \"north\"";
   distance.points[0].colour = glm::u8vec3(1, 20, 255);
   distance.points[0].normal = glm::normalize(glm::dvec3(1.0, 2.0, 3.0));
+  distance.points[0].patch = 0;
   distance.points[1].patch = 123456;
   return {distance, measurement_of(MeasurementKind::Distance, {{1, 2, 3}}),
           measurement_of(MeasurementKind::Point, {{1.1, 2.2, 3.3}})};
@@ -141,6 +142,8 @@ TEST(MeasurementFile, AsJsonReadsBackToTheBit) {
   }
   EXPECT_EQ(entry["points"][0]["colour"], nlohmann::json({1, 20, 255}));
   EXPECT_TRUE(entry["points"][1]["colour"].is_null());
+  EXPECT_EQ(entry["points"][1]["patch"], 123456);
+  EXPECT_TRUE(json["measurements"][1]["points"][0]["patch"].is_null()) << "a point of kernels";
   EXPECT_FALSE(json["measurements"][1].contains("x")) << "a point has its position once";
 }
 
@@ -174,7 +177,7 @@ TEST(MeasurementFile, AsCsvReadsBackToTheBit) {
   }
   EXPECT_NE(first.find(",1,20,255,0,"), std::string::npos) << first;
   EXPECT_EQ(second.substr(second.size() - 14), ",,,,123456,,,,") << second;
-  EXPECT_EQ(third, "2,,point,1,1.1,2.2,3.3,0,0,1,,,,0,,,,");
+  EXPECT_EQ(third, "2,,point,1,1.1,2.2,3.3,0,0,1,,,,,,,,") << "a point of kernels has no patch";
 }
 
 TEST(MeasurementFile, IsWrittenByItsExtension) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <optional>
 #include <vector>
 
@@ -73,31 +74,42 @@ class Drawer {
   cpu::Batch batch_;
 };
 
-class CpuDrawing final : public VolumeDrawing {
+class TiledDrawing final : public CpuDrawing {
  public:
-  explicit CpuDrawing(const Gl& gl) : gl_(gl) {}
+  explicit TiledDrawing(const Gl& gl) : gl_(gl) {}
 
   Status draw(const VolumeFrame& frame, const VolumeTargets& targets, PassTimer& timer,
               const Progress& progress) override {
     const ScopedPass pass(gl_, timer, "volume on the CPU");
-    const RayCamera camera = ray_camera(frame.view);
-    const bool has_sheets =
-        visibility_of(frame.cloud, frame.settings.volume.visibility) == VolumeVisibility::Sheet;
-    const KernelOrder order = has_sheets ? order_by_sheets(sheets_for(frame, camera), camera)
-                                         : order_by_depth(frame.cloud, camera);
-    Tiles tiles(targets.width, targets.height,
-                {.compositing = composite_rule(frame.settings.volume, frame.cloud.weight),
-                 .has_layers = has_sheets,
-                 .has_surfaces = targets.surface.has_value(),
-                 .limits = frame.limits});
-    Drawer(frame, order, tiles).draw(progress);
+    const Tiles tiles = composited(frame, targets.surface.has_value(), progress);
     if (progress.cancelled()) return interrupted_error();
     upload(targets, targets.colour, tiles.colours());
     if (targets.surface) upload(targets, *targets.surface, tiles.surfaces());
     return {};
   }
 
+  [[nodiscard]] float depth_of_pixel(const VolumeFrame& frame) override {
+    assert(frame.view.width == 1 && frame.view.height == 1);
+    const Progress silent;
+    return composited(frame, true, silent).surfaces().front().w;
+  }
+
  private:
+  Tiles composited(const VolumeFrame& frame, bool has_surfaces, const Progress& progress) {
+    const RayCamera camera = ray_camera(frame.view);
+    const bool has_sheets =
+        visibility_of(frame.cloud, frame.settings.volume.visibility) == VolumeVisibility::Sheet;
+    const KernelOrder order = has_sheets ? order_by_sheets(sheets_for(frame, camera), camera)
+                                         : order_by_depth(frame.cloud, camera);
+    Tiles tiles(frame.view.width, frame.view.height,
+                {.compositing = composite_rule(frame.settings.volume, frame.cloud.weight),
+                 .has_layers = has_sheets,
+                 .has_surfaces = has_surfaces,
+                 .limits = frame.limits});
+    Drawer(frame, order, tiles).draw(progress);
+    return tiles;
+  }
+
   /// Made when they are first needed, and again when the kernels are others.
   const KernelSheets& sheets_for(const VolumeFrame& frame, const RayCamera& camera) {
     if (frame.cloud_version != version_) sheets_ = {};
@@ -127,8 +139,8 @@ bool is_for_cpu(const Gl& gl, const KernelCloud& cloud, const VolumeSettings& se
          (settings.drawn_by == VolumeDrawingBy::Automatic && draws_on_cpu(gl));
 }
 
-std::unique_ptr<VolumeDrawing> make_cpu_drawing(const Gl& gl) {
-  return std::make_unique<CpuDrawing>(gl);
+std::unique_ptr<CpuDrawing> make_cpu_drawing(const Gl& gl) {
+  return std::make_unique<TiledDrawing>(gl);
 }
 
 }  // namespace relief::volume

@@ -12,6 +12,13 @@ namespace relief::volume {
 [[nodiscard]] bool is_for_cpu(const Gl& gl, const KernelCloud& cloud,
                               const VolumeSettings& settings);
 
-[[nodiscard]] std::unique_ptr<VolumeDrawing> make_cpu_drawing(const Gl& gl);
+class CpuDrawing : public VolumeDrawing {
+ public:
+  /// Of a frame of one pixel: the depth along the view axis (world units) where half of what is
+  /// behind is covered; infinite if nothing covers so much.
+  [[nodiscard]] virtual float depth_of_pixel(const VolumeFrame& frame) = 0;
+};
+
+[[nodiscard]] std::unique_ptr<CpuDrawing> make_cpu_drawing(const Gl& gl);
 
 }  // namespace relief::volume

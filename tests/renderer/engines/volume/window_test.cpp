@@ -1,6 +1,10 @@
 // Volumes and 3D Gaussians in a window's viewport.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "renderer/frame/attachments.h"
 #include "renderer/frame/targets.h"
 #include "renderer/render.h"
@@ -62,10 +66,68 @@ TEST(VolumeWindow, ShowsWhatRenderDraws) {
         ASSERT_NEAR(a[k], is_part ? b[k] : 0.25F, 0x1p-11F) << engine << ' ' << channel << ' ' << k;
       }
     }
-    const auto pixel = (*viewport)->probe(view, 30, 20);
-    ASSERT_TRUE(pixel);
-    EXPECT_EQ(values(*pixel, "patch")[0], 0.0F) << "nothing is picked";
   }
+}
+
+/// A ball that is opaque in its middle.
+ScalarVolume ball() {
+  ScalarVolume volume;
+  volume.size = {20, 20, 20};
+  volume.placement = RegularGrid{glm::dvec3(-3.0), glm::dmat3(6.0 / 19.0)};
+  for (int n = 0; n < 20 * 20 * 20; ++n) {
+    const glm::dvec3 node(n % 20, n / 20 % 20, n / 400);
+    const double distance = glm::length(6.0 / 19.0 * node - 3.0);
+    volume.values.push_back(static_cast<float>(std::max(100.0 * (1.0 - distance / 2.5), 0.0)));
+  }
+  return volume;
+}
+
+/// Pixels that are probed show what is in the image.
+void expect_probed_as_drawn(const RenderModel& model) {
+  RenderSettings view;
+  view.engine = "volume";
+  view.width = 60;
+  view.height = 40;
+  view.camera.eye = {3.0, 2.0, 14.0};
+  view.outputs.depth = true;
+  view.outputs.patch_id = true;
+  Progress silent;
+  const auto rendered = render(model, view, silent);
+  ASSERT_TRUE(rendered) << rendered.error().message;
+  const OwnContext window;
+  const auto viewport = Viewport::create(window.loader(), model, {&view, 1});
+  ASSERT_TRUE(viewport) << viewport.error().message;
+  int kernels = 0;
+  for (std::uint32_t y = 0; y < view.height; y += 3) {
+    for (std::uint32_t x = 0; x < view.width; x += 3) {
+      const auto pixel = (*viewport)->probe(view, x, y);
+      ASSERT_TRUE(pixel) << pixel.error().message;
+      const std::size_t k = (view.height - 1 - y) * view.width + x;
+      const float depth = values(rendered->image, "Z")[k];
+      EXPECT_EQ(values(*pixel, "patch")[0], values(rendered->image, "patch")[k]);
+      if (std::isfinite(depth))
+        EXPECT_NEAR(values(*pixel, "Z")[0], depth, 1e-4F * depth) << x << ' ' << y;
+      else
+        EXPECT_EQ(values(*pixel, "Z")[0], depth);
+      kernels += std::isfinite(depth) && values(rendered->image, "patch")[k] == 0.0F ? 1 : 0;
+    }
+  }
+  EXPECT_GT(kernels, 5) << "the test shows something";
+}
+
+TEST(VolumeWindow, KernelsAreProbedWhereTheyHideHalf) {
+  const PatchModel plane = height_field(11, [](double, double) { return 0.0; });
+  const VolumeParts gaussians = two_gaussians();
+  const ScalarVolume volume = ball();
+  RenderModel model;
+  model.add(gaussians);
+  expect_probed_as_drawn(model);
+  RenderModel grid;
+  grid.add(volume);
+  expect_probed_as_drawn(grid);
+  RenderModel among = RenderModel::of(plane);
+  among.add(gaussians);
+  expect_probed_as_drawn(among);
 }
 
 TEST(VolumeWindow, OtherEnginesOnTheCpuAreNone) {
