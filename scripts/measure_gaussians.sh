@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# 3D Gaussians in each form of their file, against exact rays, and on OpenGL. Prints Markdown tables. Needs jq and
+# 3D Gaussians in each form of their file, against exact rays, and by engine volume. Prints Markdown tables. Needs jq and
 # npm, which gets splat-transform: other software, which writes the forms. Images stay in WORK_FOLDER.
 # usage: scripts/measure_gaussians.sh RELIEF_BINARY DATA_FOLDER WORK_FOLDER
 set -euo pipefail
@@ -52,7 +52,7 @@ echo "| --- | ---: | ---: | ---: |"
 against_truth() {
   local name=$1 ms
   shift
-  ms=$(render splatted "$work/plain.ply" "$@")
+  ms=$(render splatted "$work/plain.ply" --engine volume-reference "$@")
   echo "| $name | $ms | $(compare splatted ray) | $(compare splatted centre) |"
 }
 against_truth "defaults"
@@ -62,17 +62,18 @@ against_truth "\`--filter unfiltered --jacobian-clamp 0\`" --filter unfiltered -
 echo "| the truth by centres | | $(compare centre ray) | |"
 
 echo
-echo "| volume (OpenGL) | frame, ms | PSNR to volume-reference, dB |"
-echo "| --- | ---: | ---: |"
-on_opengl() {
+echo "| volume | frame, ms | by shaders, ms | PSNR to volume-reference, dB | shaders' |"
+echo "| --- | ---: | ---: | ---: | ---: |"
+by_volume() {
   local name=$1 ms
   shift
-  render splatted "$work/plain.ply" "$@" >/dev/null
-  ms=$(render opengl "$work/plain.ply" --engine volume "$@")
-  echo "| $name | $ms | $(compare opengl splatted) |"
+  render splatted "$work/plain.ply" --engine volume-reference "$@" >/dev/null
+  ms=$(render drawn "$work/plain.ply" --engine volume --drawn-by cpu --frames 3 "$@")
+  ms+=" | $(render shaded "$work/plain.ply" --engine volume --drawn-by shaders --frames 3 "$@")"
+  echo "| $name | $ms | $(compare drawn splatted) | $(compare shaded splatted) |"
 }
-on_opengl "defaults"
-on_opengl "\`--min-transmittance 0\`" --min-transmittance 0
-on_opengl "\`--filter ewa\`" --filter ewa
-on_opengl "\`--filter unfiltered\`" --filter unfiltered
-on_opengl "\`--blend linear\`" --blend linear
+by_volume "defaults"
+by_volume "\`--min-transmittance 0\`" --min-transmittance 0
+by_volume "\`--filter ewa\`" --filter ewa
+by_volume "\`--filter unfiltered\`" --filter unfiltered
+by_volume "\`--blend linear\`" --blend linear
