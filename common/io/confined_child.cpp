@@ -1,7 +1,6 @@
 #include "common/io/confined_child.h"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -13,10 +12,10 @@
 #include <cstdio>
 #include <cstring>
 
+#include "common/io/waiting_read.h"
+
 namespace relief {
 namespace {
-
-constexpr int kChildWaitMilliseconds = 100;
 
 /// Limits the child and makes it end with its parent.
 void confine(std::uint64_t memory) {
@@ -91,17 +90,11 @@ Status ConfinedChild::start(std::uint64_t memory,
 ConfinedChild::Got ConfinedChild::read(void* bytes, std::size_t size,
                                        const Progress& progress) const {
   for (char* at = static_cast<char*>(bytes); size > 0;) {
-    if (progress.cancelled()) return Got::Interrupted;
-    struct pollfd wait {
-      pipe_, POLLIN, 0
-    };
-    const int ready = ::poll(&wait, 1, kChildWaitMilliseconds);
-    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
-    const ssize_t got = ::read(pipe_, at, size);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return Got::Ended;
-    at += got;
-    size -= static_cast<std::size_t>(got);
+    const auto got = waiting_read(pipe_, at, size, progress);
+    if (!got) return Got::Interrupted;
+    if (*got <= 0) return Got::Ended;
+    at += *got;
+    size -= static_cast<std::size_t>(*got);
   }
   return Got::All;
 }

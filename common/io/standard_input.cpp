@@ -1,7 +1,6 @@
 #include "common/io/standard_input.h"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,12 +10,13 @@
 #include <system_error>
 #include <vector>
 
+#include "common/io/waiting_read.h"
+
 namespace relief {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWaitMilliseconds = 100;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
 
 Error failure(std::string_view what, int error) {
@@ -36,19 +36,12 @@ Status copy_to(int file, Progress& progress) {
   progress.begin_stage("standard input", 0);
   std::vector<char> piece(kPieceBytes);
   for (;;) {
-    if (progress.cancelled()) return interrupted_error();
-    // Waits in steps, so that an interrupt is seen while the other program writes nothing.
-    struct pollfd wait {
-      STDIN_FILENO, POLLIN, 0
-    };
-    const int ready = ::poll(&wait, 1, kWaitMilliseconds);
-    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
-    const ssize_t got = ::read(STDIN_FILENO, piece.data(), piece.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return failure("cannot be read", errno);
-    if (got == 0) return {};
-    for (ssize_t done = 0; done < got;) {
-      const ssize_t put = ::write(file, piece.data() + done, static_cast<std::size_t>(got - done));
+    const auto got = waiting_read(STDIN_FILENO, piece.data(), piece.size(), progress);
+    if (!got) return interrupted_error();
+    if (*got < 0) return failure("cannot be read", errno);
+    if (*got == 0) return {};
+    for (ssize_t done = 0; done < *got;) {
+      const ssize_t put = ::write(file, piece.data() + done, static_cast<std::size_t>(*got - done));
       if (put < 0 && errno == EINTR) continue;
       if (put < 0) return failure("cannot be copied to the folder for temporary files", errno);
       done += put;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
-#include <limits>
 #include <vector>
 
 #include "preprocess/readers/inflate.h"
@@ -221,12 +220,7 @@ void scale_nifti(const NiftiHeader& header, std::vector<float>& values) {
   if (slope == 0.0 || !std::isfinite(slope)) return;
   const double intercept = std::isfinite(stated) ? stated : 0.0;
   if (slope == 1.0 && intercept == 0.0) return;
-  for (float& value : values) {
-    const double scaled = slope * value + intercept;
-    value = std::abs(scaled) <= std::numeric_limits<float>::max()
-                ? static_cast<float>(scaled)
-                : std::numeric_limits<float>::quiet_NaN();
-  }
+  for (float& value : values) value = value_or_nan(slope * value + intercept);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ Result<ScalarVolume> read_volume_bytes(const std::filesystem::path& path,
 
 Result<ScalarVolume> read_volume(const std::filesystem::path& path,
                                  const VolumeReadOptions& options, Progress& progress) {
-  if (!options.raw && is_dicom(path))
+  if (!options.raw && volume_format(path) == nullptr && is_dicom(path))
     return checked_volume(path.string(), [&] { return read_dicom(path, progress); });
   RELIEF_TRY_ASSIGN(const auto file, MappedFile::open(path));
   return read_volume_bytes(path, file.bytes(), options, progress);

@@ -1,8 +1,6 @@
 #include "preprocess/volumes/value_collector.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <type_traits>
 
 namespace relief {
@@ -11,9 +9,7 @@ namespace {
 template <class Real, class Number>
 Real value_of(Number number) {
   if constexpr (std::is_floating_point_v<Number> && std::is_same_v<Real, float>) {
-    // Also false for NaN.
-    const bool has_value = std::abs(number) <= Number{std::numeric_limits<float>::max()};
-    return has_value ? static_cast<float>(number) : std::numeric_limits<float>::quiet_NaN();
+    return value_or_nan(number);
   } else {
     return static_cast<Real>(number);
   }

@@ -28,11 +28,13 @@ std::optional<std::uint32_t> patch_of(const Image& pixel) {
   return static_cast<std::uint32_t>(patch->values.front()) - 1;
 }
 
-/// Of a pixel that shows no patch: of kernels, which have but a depth.
-PickedPoint kernels_at(const ProbedSurface& surface) {
+/// What a pixel tells by itself. Of kernels, which have no patch, there is nothing more exact.
+PickedPoint point_at(const ProbedSurface& surface, std::optional<std::uint32_t> patch) {
   PickedPoint picked;
+  picked.is_exact = !patch;
   picked.point.position = surface.position();
   picked.point.normal = glm::dvec3(0.0);
+  picked.point.patch = patch;
   picked.point.depth = surface.depth;
   return picked;
 }
@@ -156,7 +158,7 @@ std::optional<PickedPoint> MeasuringInput::pick(glm::dvec2 cursor, Display& disp
   const auto surface = pixel ? surface_of(*pixel, session, cursor) : std::nullopt;
   if (!surface) return std::nullopt;
   const auto patch = patch_of(*pixel);
-  if (!patch) return kernels_at(*surface);
+  if (!patch) return point_at(*surface, patch);
   PickQuery query{surface->start, surface->direction, surface->depth, surface->pixel, *patch, {}};
   picker_.set_model(model_of(session));
   auto point = pick_exactly(query, session);
@@ -167,13 +169,7 @@ std::optional<PickedPoint> MeasuringInput::pick(glm::dvec2 cursor, Display& disp
     point = pick_exactly(query, session);
   }
   if (point) return PickedPoint{*point, true};
-  PickedPoint picked;
-  picked.is_exact = false;
-  picked.point.position = surface->position();
-  picked.point.normal = glm::dvec3(0.0);
-  picked.point.patch = query.patch;
-  picked.point.depth = query.depth;
-  return picked;
+  return point_at(*surface, patch);
 }
 
 }  // namespace relief

@@ -105,8 +105,7 @@ Result<Places> places_of(std::span<const path> files, std::span<const DicomSlice
     if (i > 0 && !(along - places.along.back() > kUneven * places.step)) {
       return make_error(
           "{} and {}: are slices at the same place, as phases and echoes are; put those of one "
-          "into a "
-          "folder of their own",
+          "into a folder of their own",
           files[order[i - 1]].string(), files[order[i]].filename().string());
     }
     if (glm::length(from_first - along * places.direction) > kUneven * places.step) {

@@ -11,13 +11,14 @@
 #include <gdcmTrace.h>
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <cstring>
 #include <fstream>
-#include <limits>
+#include <optional>
 #include <string>
 
 #include "common/io/confined_child.h"
+#include "preprocess/volumes/number_form.h"
 #endif
 
 namespace relief {
@@ -102,16 +103,27 @@ DicomSlice slice_of(const path& file) {
   return slice;
 }
 
-template <class Number>
-void append_as(std::span<const char> bytes, double slope, double intercept,
-               std::vector<float>& values) {
-  for (std::size_t at = 0; at + sizeof(Number) <= bytes.size(); at += sizeof(Number)) {
-    Number number;
-    std::memcpy(&number, bytes.data() + at, sizeof number);
-    const double value = slope * static_cast<double>(number) + intercept;
-    const bool is_value = std::abs(value) <= std::numeric_limits<float>::max();
-    values.push_back(is_value ? static_cast<float>(value)
-                              : std::numeric_limits<float>::quiet_NaN());
+/// None of what packs several numbers into a byte.
+std::optional<NumberType> type_of(const gdcm::PixelFormat& format) {
+  switch (format.GetScalarType()) {
+    case gdcm::PixelFormat::UINT8:
+      return NumberType::Uint8;
+    case gdcm::PixelFormat::INT8:
+      return NumberType::Int8;
+    case gdcm::PixelFormat::UINT16:
+      return NumberType::Uint16;
+    case gdcm::PixelFormat::INT16:
+      return NumberType::Int16;
+    case gdcm::PixelFormat::UINT32:
+      return NumberType::Uint32;
+    case gdcm::PixelFormat::INT32:
+      return NumberType::Int32;
+    case gdcm::PixelFormat::FLOAT32:
+      return NumberType::Float32;
+    case gdcm::PixelFormat::FLOAT64:
+      return NumberType::Float64;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -124,39 +136,16 @@ std::vector<float> values_of(const path& file, std::size_t count) {
   const gdcm::Image& image = reader.GetImage();
   const gdcm::PixelFormat& format = image.GetPixelFormat();
   const std::size_t length = image.GetBufferLength();
-  if (format.GetSamplesPerPixel() != 1 || length != count * format.GetPixelSize()) return values;
+  const auto type = type_of(format);
+  if (!type || format.GetSamplesPerPixel() != 1 || length != count * size_of(*type)) return values;
   std::vector<char> bytes(length);
   if (!image.GetBuffer(bytes.data())) return values;
-  const double slope = image.GetSlope();
-  const double intercept = image.GetIntercept();
   values.reserve(count);
-  switch (format.GetScalarType()) {
-    case gdcm::PixelFormat::UINT8:
-      append_as<std::uint8_t>(bytes, slope, intercept, values);
-      break;
-    case gdcm::PixelFormat::INT8:
-      append_as<std::int8_t>(bytes, slope, intercept, values);
-      break;
-    case gdcm::PixelFormat::UINT16:
-      append_as<std::uint16_t>(bytes, slope, intercept, values);
-      break;
-    case gdcm::PixelFormat::INT16:
-      append_as<std::int16_t>(bytes, slope, intercept, values);
-      break;
-    case gdcm::PixelFormat::UINT32:
-      append_as<std::uint32_t>(bytes, slope, intercept, values);
-      break;
-    case gdcm::PixelFormat::INT32:
-      append_as<std::int32_t>(bytes, slope, intercept, values);
-      break;
-    case gdcm::PixelFormat::FLOAT32:
-      append_as<float>(bytes, slope, intercept, values);
-      break;
-    case gdcm::PixelFormat::FLOAT64:
-      append_as<double>(bytes, slope, intercept, values);
-      break;
-    default:
-      break;
+  for (std::size_t at = 0; at < length; at += size_of(*type)) {
+    // GDCM has turned them into this machine's byte order.
+    const double number =
+        load_number<std::endian::native == std::endian::big>(*type, bytes.data() + at);
+    values.push_back(value_or_nan(image.GetSlope() * number + image.GetIntercept()));
   }
   return values;
 }
