@@ -99,7 +99,8 @@ def draw_by_viewer(options, asked, path):
     handler = functools.partial(Handler, asked=asked, answers=answers, directory=options.packages)
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    with tempfile.TemporaryDirectory() as profile:
+    # Chromium's other processes end a moment after it, and still write.
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         browser = subprocess.Popen(
             [options.chromium, "--headless=new", "--no-sandbox", "--no-first-run", "--use-angle=swiftshader",
              "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--disable-dev-shm-usage",

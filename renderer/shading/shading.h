@@ -44,7 +44,7 @@ struct SeenSurface {
   glm::vec3 position{0.0F};  ///< from the eye; only point lights ask for it
   glm::vec2 uv{0.0F};        ///< grid coordinates; only Split asks for them and for the patch
   std::uint32_t patch = 1;   ///< patch id + 1
-  bool from_behind = false;  ///< the back of a triangle is seen; blended splats don't tell
+  bool from_behind = false;  ///< the back of a triangle or of splats is seen
 };
 
 /// The light that it sends to the eye if it has that material (as material_of).

@@ -41,9 +41,10 @@ glm::dvec3 shade_surface(const Surface& surface, glm::dvec2 position, const View
       const glm::dvec3 turned = normal_beside(surface, offset);
       const double length = glm::length(turned);
       const glm::dvec3 normal = length > 0.0 ? turned / length : -ray;
-      sum += glm::dvec3(shade(lighting, surface.material,
-                              {glm::vec3(surface.albedo), glm::vec3(normal), glm::vec3(ray),
-                               glm::vec3(ray_start(view, window) + surface.depth * through)}));
+      SeenSurface seen{glm::vec3(surface.albedo), glm::vec3(normal), glm::vec3(ray),
+                       glm::vec3(ray_start(view, window) + surface.depth * through)};
+      seen.from_behind = surface.from_behind;
+      sum += glm::dvec3(shade(lighting, surface.material, seen));
     }
   }
   return sum / static_cast<double>(side * side);

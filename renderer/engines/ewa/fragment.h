@@ -21,7 +21,7 @@ struct SplatAttributes {
   std::uint32_t patch = 0;  ///< patch id + 1
   std::uint8_t material = 0;
   std::uint8_t clip = 0;    ///< ClipKind
-  bool faces_away = false;  ///< from the eye; known only where something is clipped
+  bool faces_away = false;  ///< from the eye
 };
 
 /// What a kernel contributes to a pixel. Depths along the view axis.
@@ -43,6 +43,7 @@ struct Fragment {
   glm::dvec3 normal_sum{0.0};
   glm::dvec2 uv_sum{0.0};  ///< of contributions of `patch` alone: grids of two patches don't mix
   double uv_weight = 0.0;  ///< their weight
+  double away = 0.0;       ///< the weight of contributions that face away from the eye
   double largest = 0.0;    ///< the largest contribution's weight
   double threshold = 0.0;  ///< the largest of the contributions
   /// Contributions that lines cut: those that keep one side of an edge, and those of the other.
@@ -78,6 +79,10 @@ struct Fragment {
                   : weight >= coverage_threshold && colour.a >= weight && !is_cut();
   }
 
+  /// Whether its back is seen. At contours, kernels of both sides reach the same pixels; to reverse
+  /// normals there puts dark specks on the rim: 1.3 dB of Lucy from a half on, 0.05 from this share.
+  [[nodiscard]] bool is_from_behind() const { return away > 0.9 * weight; }
+
   /// Whether a contribution is of the other side of a sharp edge: within the threshold of depth the
   /// face that is seen and the one behind it that faces away lie beside each other.
   [[nodiscard]] bool is_beyond_edge(const SplatAttributes& a) const {
@@ -97,6 +102,7 @@ struct Fragment {
     if (weight == 0.0) faces_away = a.faces_away;
     is_clipped = is_clipped || a.clip != 0;
     weight += c.weight;
+    if (a.faces_away) away += c.weight;
     if (c.beyond != glm::dvec2(0.0)) {
       if (!is_cut()) edge = c.beyond;
       Side& side = sides[glm::dot(edge, c.beyond) < 0.0 ? 1 : 0];

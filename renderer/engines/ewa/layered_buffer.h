@@ -21,6 +21,7 @@ struct Surface {
   /// another surface.
   std::array<glm::dvec3, 4> changes{};
   std::uint8_t material = 0;
+  bool from_behind = false;  ///< seen from there
 };
 
 /// Gives the colour, linear, that a surface shows.

@@ -120,10 +120,9 @@ SplatAttributes attributes_of(const SplatCloud& cloud, const Lighting& lighting,
   if (!cloud.uvs.empty()) attributes.uv = finite_or_zero(glm::dvec2(cloud.uvs[k]));
   if (!cloud.patches.empty()) attributes.patch = cloud.patches[k];
   if (!cloud.materials.empty()) attributes.material = cloud.materials[k];
-  if (clipping.partners != nullptr) {
+  attributes.faces_away = glm::dot(attributes.normal, ray_to(view, cloud.positions[k])) > 0.0;
+  if (clipping.partners != nullptr)
     attributes.clip = static_cast<std::uint8_t>(clipping.partners->kinds[k]);
-    attributes.faces_away = glm::dot(attributes.normal, ray_to(view, cloud.positions[k])) > 0.0;
-  }
   attributes.colour.a *= double{material_of(lighting, attributes.material).constants.opacity};
   return attributes;
 }

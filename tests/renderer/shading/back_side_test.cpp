@@ -54,7 +54,8 @@ TEST_P(BackSide, IsShadedAsAFrontThere) {
 std::vector<EngineMethod> methods_that_know_the_side() {
   std::vector<EngineMethod> methods;
   for (const EngineMethod& method : all_engine_methods()) {
-    if (method.engine == "onepass" || method.engine == "raytrace") methods.push_back(method);
+    for (const char* engine : {"onepass", "raytrace", "ewa"})
+      if (method.engine == engine) methods.push_back(method);
   }
   return methods;
 }
