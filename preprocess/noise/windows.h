@@ -25,7 +25,7 @@ struct NoiseWindow {
 /// noise, and while the heights that it and all smaller discs give the centre agree, each within
 /// its own uncertainty (intersection of confidence intervals, [Goldenshluger and Nemirovski 1997]).
 ///
-/// Where windows are large, eight neighbouring centres share one.
+/// Neighbouring centres share one, 2 to 16 of them, where windows are large.
 ///
 /// `spacing`: the scan's about each centre, `noise`: its standard deviation there, world units; a
 /// centre without noise has no window, nor have centres of balls of points. Only some have one if
