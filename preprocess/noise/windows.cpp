@@ -35,10 +35,10 @@ struct Sharing {
   std::uint32_t slots;
   double fewest_points;
 };
-// Large groups first: the windows of smaller ones are found only where theirs are small. A point lies
-// in eight windows or more. With windows of twice as many points (and as before, with groups of eight
-// from 100 on) Igea with noise of one spacing takes 1.3 (2.4) times as long; what is left of noise on
-// it, bun_zipper and fandisk differs by 1 %, six seeds each.
+// Large groups first: the windows of smaller ones are found only where theirs are small. A point
+// lies in eight windows or more. With windows of twice as many points (and as before, with groups
+// of eight from 100 on) Igea with noise of one spacing takes 1.3 (2.4) times as long; what is left
+// of noise on it, bun_zipper and fandisk differs by 1 %, six seeds each.
 constexpr std::array<Sharing, 4> kSharings = {{{16, 128.0}, {8, 64.0}, {4, 32.0}, {2, 16.0}}};
 constexpr std::uint32_t kGrain = 64;  // slots
 

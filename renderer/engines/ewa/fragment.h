@@ -80,7 +80,8 @@ struct Fragment {
   }
 
   /// Whether its back is seen. At contours, kernels of both sides reach the same pixels; to reverse
-  /// normals there puts dark specks on the rim: 1.3 dB of Lucy from a half on, 0.05 from this share.
+  /// normals there puts dark specks on the rim: 1.3 dB of Lucy from a half on, 0.05 from this
+  /// share.
   [[nodiscard]] bool is_from_behind() const { return away > 0.9 * weight; }
 
   /// Whether a contribution is of the other side of a sharp edge: within the threshold of depth the

@@ -142,7 +142,7 @@ void LayeredBuffer::shade_once(std::size_t pixel, Fragment& fragment) const {
   if (fragment.shaded) return;
   const glm::dvec4 colour = fragment.colour / fragment.weight;
   Surface surface{pixel, glm::dvec3(colour), unit_or_zero(fragment.normal_sum), fragment.depth(),
-                  {},    fragment.material, fragment.is_from_behind()};
+                  {},    fragment.material,  fragment.is_from_behind()};
   const std::size_t column = pixel % width_;
   if (column > 0) surface.changes[0] = normal_change(fragment, pixel - 1);
   if (column + 1 < width_) surface.changes[1] = normal_change(fragment, pixel + 1);
