@@ -12,6 +12,7 @@
 #include "common/image/srgb.h"
 #include "common/io/extension.h"
 #include "common/io/file.h"
+#include "common/mesh/footing.h"
 #include "common/neighbours/neighbours.h"
 #include "common/patch_file/patch_file.h"
 #include "preprocess/convert.h"
@@ -165,9 +166,12 @@ void note_left_out(const LeftOut& left_out, Progress& progress) {
   for (const std::string& name : left_out.scalars) note_if(true, "the scalar " + name);
 }
 
-}  // namespace
+/// Lets a mesh stand as it can, if its file does not say how.
+void stand_up(Points& mesh) {
+  if (!mesh.stance && stands_on_z(mesh)) mesh.stance = kZUp;
+}
 
-Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
+Result<ReadResult> read_mesh(const std::filesystem::path& path, const TextureChoice& textures,
                              Progress& progress, const ReadOptions& options) {
   auto read = read_points(path, progress, options);
   if (!read) return read;
@@ -177,8 +181,6 @@ Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureCho
   if (!loaded) return loaded.error();
   return read;
 }
-
-namespace {
 
 /// A file, and the pose of its points if a .conf file names one.
 struct ScanFile {
@@ -207,6 +209,13 @@ Result<std::vector<ScanFile>> list_scans(const std::vector<std::filesystem::path
 
 }  // namespace
 
+Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
+                             Progress& progress, const ReadOptions& options) {
+  auto read = read_mesh(path, textures, progress, options);
+  if (read) stand_up(read->points);
+  return read;
+}
+
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
                                const TextureChoice& textures, Progress& progress,
                                const ReadOptions& options) {
@@ -229,7 +238,7 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
   of_file.selection.crop.reset();
   Bounds bounds;
   for (const auto& [path, pose] : *scans) {
-    RELIEF_TRY_ASSIGN(auto scan, load_mesh(path, textures, progress, of_file));
+    RELIEF_TRY_ASSIGN(auto scan, read_mesh(path, textures, progress, of_file));
     if (pose) place_scan(*pose, scan.points);
     if (options.selection.crop) {
       for (const glm::dvec3& p : scan.points.positions) extend(bounds, p);
@@ -249,6 +258,7 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
   if (options.selection.crop && all.points.positions.empty())
     return nothing_in_crop(paths.front().string(), *options.selection.crop, bounds);
   note_left_out(left_out, progress);
+  stand_up(all.points);
   ReadResult cleaned = clean_points(std::move(all.points));
   all.points = std::move(cleaned.points);
   all.merged_duplicates += cleaned.merged_duplicates;

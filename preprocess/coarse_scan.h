@@ -12,7 +12,7 @@
 
 namespace relief {
 
-/// A coarse mesh (is_coarse_mesh), whose points were replaced.
+/// A coarse or sharp mesh (is_designed_mesh), whose points were replaced.
 struct CoarseScan {
   Points mesh;                   ///< with unit normals; a point on a crease has one for each side
   std::vector<Triangle> welded;  ///< its triangles, with one point a position
@@ -26,8 +26,8 @@ struct CoarseScan {
 /// units; 0: none) asks for them.
 [[nodiscard]] std::size_t least_points(const Points& mesh, double spacing);
 
-/// If `points` is a coarse mesh, takes it and leaves points spread over it in its place. Fails if
-/// its triangles have no area that they could lie on, or if the user interrupts.
+/// If `points` is a coarse or sharp mesh, takes it and leaves points spread over it in its place.
+/// Fails if its triangles have no area that they could lie on, or if the user interrupts.
 Result<std::optional<CoarseScan>> take_coarse_mesh(Points& points, double spacing,
                                                    Progress& progress);
 

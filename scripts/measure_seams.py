@@ -36,7 +36,7 @@ def cameras(info, count):
         direction = (ring * math.sin(angle), y, ring * math.cos(angle))
         eye = [m + distance * d for m, d in zip(middle, direction)]
         yield ["--eye", ",".join(map(repr, eye)), "--target", ",".join(map(repr, middle)),
-               "--fov", FIELD_OF_VIEW]
+               "--fov", FIELD_OF_VIEW, "--up", "y"]
 
 
 def draw(relief, model, image, engine, camera):

@@ -43,6 +43,35 @@ void for_each_smooth_edge(const Points& mesh, const std::vector<glm::dvec3>& nor
   }
 }
 
+struct Crease {
+  std::uint32_t lesser = 0;
+  std::uint32_t greater = 0;
+};
+
+/// Finds the creases, and counts the edges that could be one.
+std::vector<Crease> find_creases(const Points& mesh, std::size_t& edge_count) {
+  if (mesh.triangles.empty()) return {};  // the table has no edges to ask for
+  const std::vector<glm::dvec3> normals = area_normals(mesh);
+  const MeshEdges edges(mesh);
+  std::vector<Crease> creases;
+  for (std::uint32_t p = 0; p < mesh.size(); ++p) {
+    const std::span<const EdgeUse> uses = edges.of(p);
+    for (std::size_t first = 0, end = 0; first < uses.size(); first = end) {
+      while (end < uses.size() && uses[end].greater == uses[first].greater) ++end;
+      if (end - first != 2) continue;
+      const EdgeUse& a = uses[first];
+      const EdgeUse& b = uses[first + 1];
+      const glm::dvec3 n = normals[a.triangle];
+      const glm::dvec3 m = a.forward != b.forward ? normals[b.triangle] : -normals[b.triangle];
+      const double lengths = glm::length(n) * glm::length(m);
+      if (!(lengths > 0.0)) continue;
+      ++edge_count;
+      if (glm::dot(n, m) < kCreaseCosine * lengths) creases.push_back({p, a.greater});
+    }
+  }
+  return creases;
+}
+
 /// Corners are numbered triangle by triangle.
 std::uint32_t corner_at(const Points& mesh, std::uint32_t triangle, std::uint32_t point) {
   const Triangle& t = mesh.triangles[triangle];
@@ -88,6 +117,22 @@ void split(DisjointSets& corners, Points& mesh) {
 }
 
 }  // namespace
+
+CreaseCensus count_creases(const Points& mesh) {
+  CreaseCensus census;
+  const std::vector<Crease> creases = find_creases(mesh, census.edges);
+  census.creases = creases.size();
+  std::vector<std::uint32_t> creases_at(mesh.size(), 0);
+  for (const Crease& c : creases) {
+    ++creases_at[c.lesser];
+    ++creases_at[c.greater];
+  }
+  for (const Crease& c : creases) {
+    census.ends_in_lines +=
+        (creases_at[c.lesser] == 2 ? 1U : 0U) + (creases_at[c.greater] == 2 ? 1U : 0U);
+  }
+  return census;
+}
 
 std::vector<std::uint32_t> sides_of_triangles(const Points& mesh) {
   DisjointSets sets(mesh.triangles.size());

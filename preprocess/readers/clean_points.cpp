@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "common/is_finite.h"
-#include "common/mesh/coarse_mesh.h"
+#include "common/mesh/seen_positions.h"
+#include "common/mesh/sharp_mesh.h"
 #include "preprocess/points/keep_points.h"
-#include "preprocess/points/seen_positions.h"
 #include "preprocess/readers/read_points.h"
 #include "preprocess/readers/source.h"
 
@@ -50,8 +50,8 @@ ReadResult clean_points(Points points, std::vector<std::uint32_t>* number) {
   std::vector<std::uint32_t> kept;
   kept.reserve(count);
   SeenPositions seen(count);
-  // Large triangles show whether the edge between them is sharp; small ones are those of a scan.
-  const bool keeps_normals = !points.normals.empty() && is_coarse_mesh(points);
+  // Triangles of a design show whether the edge between them is sharp; those of a scan don't.
+  const bool keeps_normals = !points.normals.empty() && is_designed_mesh(points);
   bool seam = false;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!is_finite(points.positions[i])) {

@@ -1,10 +1,10 @@
 #include "renderer/geometry/mesh_of_points.h"
 
 #include "common/image/srgb.h"
-#include "common/mesh/coarse_mesh.h"
 #include "common/mesh/creases.h"
 #include "common/mesh/mesh_normals.h"
 #include "common/mesh/mesh_tangents.h"
+#include "common/mesh/sharp_mesh.h"
 
 namespace relief {
 namespace {
@@ -31,7 +31,7 @@ TriangleMesh smooth_mesh(const Points& points) {
 }  // namespace
 
 TriangleMesh mesh_of_points(const Points& points) {
-  if (!points.normals.empty() || !is_coarse_mesh(points)) return smooth_mesh(points);
+  if (!points.normals.empty() || !is_designed_mesh(points)) return smooth_mesh(points);
   Points split = points;
   split_at_creases(split);
   return smooth_mesh(split);

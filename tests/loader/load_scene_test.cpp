@@ -56,6 +56,30 @@ std::string square_off() {
   return off;
 }
 
+/// A pyramid, three times as high as half its base is wide, as OBJ. It would fall over on its side.
+std::string pyramid_obj(bool z_is_up) {
+  const auto vertex = [z_is_up](int x, int y, int z) {
+    return z_is_up ? fmt::format("v {} {} {}\n", x, y, z) : fmt::format("v {} {} {}\n", x, z, -y);
+  };
+  return vertex(-1, -1, 0) + vertex(1, -1, 0) + vertex(1, 1, 0) + vertex(-1, 1, 0) +
+         vertex(0, 0, 3) + "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+}
+
+TEST_F(Loading, MeshesStandAsTheyCan) {
+  const auto stance_in = [&](const std::vector<std::filesystem::path>& files) {
+    const auto read = load_points(files, {}, notes_);
+    EXPECT_TRUE(read) << read.error().message;
+    return read ? stance_of(read->points) : Stance{};
+  };
+  const auto z_up = write("z_up.obj", pyramid_obj(true));
+  const auto y_up = write("y_up.obj", pyramid_obj(false));
+  EXPECT_EQ(stance_in({z_up}), kZUp);
+  EXPECT_EQ(stance_in({y_up}), Stance{});
+  EXPECT_EQ(stance_in({z_up, write("more.obj", pyramid_obj(true))}), kZUp);
+  EXPECT_EQ(must_load(z_up, "onepass").patches.stance, kZUp);
+  EXPECT_EQ(must_load(z_up, "raytrace").patches.stance, kZUp);
+}
+
 TEST_F(Loading, OtherFilesAreScenesOfOneModelAndOneView) {
   SceneSettings overrides;
   overrides.fov_degrees = 30.0;

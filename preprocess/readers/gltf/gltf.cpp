@@ -41,6 +41,7 @@ class GltfReader {
     choose_colours();
     if (!has_texcoords_) points_.texcoords.clear();
     if (!tangents_.empty()) points_.corner_tangents = by_corner(tangents_, points_.triangles);
+    points_.stance = Stance{};  // the format says that Y is up and Z in front
     return std::move(points_);
   }
 

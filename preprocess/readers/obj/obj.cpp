@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "common/mesh/coarse_mesh.h"
+#include "common/mesh/sharp_mesh.h"
 #include "preprocess/readers/colours.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/readers.h"
@@ -165,10 +165,10 @@ class ObjReader {
     }
   }
 
-  /// Large triangles show whether the edge between them is sharp: a vertex of a coarse mesh is
+  /// Triangles of a design show whether the edge between them is sharp: a vertex of such a mesh is
   /// repeated for each of its normals.
   void keep_normals() {
-    if (points_.normals.empty() || !is_coarse_mesh(points_)) return;
+    if (points_.normals.empty() || !is_designed_mesh(points_)) return;
     if (points_.size() + 3 * points_.triangles.size() >= kNoPoint) return;
     std::unordered_map<std::uint64_t, std::uint32_t> point_of;
     std::vector<bool> is_taken(points_.size(), false);

@@ -54,8 +54,9 @@ class PlyBody {
       });
     };
     if (has("range_grid")) return Stance{.is_from_sensor = true};
-    // Also where --memory leaves the faces out.
-    return has("face") || has("tristrips") ? std::optional(Stance{}) : std::nullopt;
+    // A mesh, although --memory leaves its faces out.
+    const bool has_faces = has("face") || has("tristrips");
+    return has_faces && points_.triangles.empty() ? std::optional(Stance{}) : std::nullopt;
   }
 
   /// A count that the rest of the file cannot hold is refused before memory is allocated.

@@ -6,15 +6,13 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "preprocess/points/no_point.h"
-
 namespace relief {
 
 /// Positions already seen: open addressing, at most half full.
 class SeenPositions {
  public:
   explicit SeenPositions(std::size_t count)
-      : slots_(std::bit_ceil(2 * count + 2), kNoPoint), mask_(slots_.size() - 1) {}
+      : slots_(std::bit_ceil(2 * count + 2), kEmpty), mask_(slots_.size() - 1) {}
 
   /// Returns the index of an earlier point at this position that `is_same` accepts; otherwise
   /// stores and returns `index`. Of more than 32 points that differ the last stands for all others,
@@ -26,7 +24,7 @@ class SeenPositions {
     int there = 0;
     for (std::uint64_t slot = hash(positions[index]) & mask_;; slot = (slot + 1) & mask_) {
       const std::uint32_t earlier = slots_[slot];
-      if (earlier == kNoPoint) return slots_[slot] = index;
+      if (earlier == kEmpty) return slots_[slot] = index;
       if (positions[earlier] != positions[index]) continue;
       if (is_same(earlier) || ++there == kMostAtOnePlace) return earlier;
     }
@@ -50,6 +48,8 @@ class SeenPositions {
     }
     return h;
   }
+
+  static constexpr std::uint32_t kEmpty = UINT32_MAX;
 
   std::vector<std::uint32_t> slots_;
   std::uint64_t mask_;
