@@ -17,11 +17,11 @@ struct Footing {
 };
 
 /// Returns the footing of a mesh with axis 0, 1 or 2 up. All zero where it has no area. Vertices
-/// without triangles do not count.
+/// without triangles do not count. Indices must be valid.
 [[nodiscard]] Footing footing_of(const Points& mesh, int up);
 
-/// Whether a mesh plainly stands with Z up and would fall over with Y up. Formats without a rule
-/// hold both; all else is Y up, as is usual. What is flat does not count: a plaque or a terrain.
+/// Whether a mesh plainly stands with Z up and would fall over with Y up, which is usual. False for
+/// what is flat: it may be a plaque or a terrain. Indices must be valid.
 [[nodiscard]] bool stands_on_z(const Points& mesh);
 
 }  // namespace relief
