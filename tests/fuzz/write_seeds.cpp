@@ -8,6 +8,7 @@
 #include "common/image/image_formats.h"
 #include "common/patch_file/patch_file.h"
 #include "preprocess/readers/format.h"
+#include "preprocess/volumes/dicom/dicom_slice.h"
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/gaussians/gaussian_files.h"
 #include "tests/preprocess/readers/sample_files.h"
@@ -67,6 +68,29 @@ void add_scans(const Seeds& seeds) {
     seeds.add("drc", fmt::format("mesh{}", static_cast<int>(method)), drc_mesh(method));
   seeds.add("gunzip", "too_large.gz", gzip(std::string(100000, 'x')));
   seeds.add("gunzip", "two_members.gz", gzip("one") + gzip(std::string(1000, 'x')));
+}
+
+/// Four slices that make a stack, each after its flags (fuzz_dicom_stack.cpp), even and uneven,
+/// with places and without.
+void add_dicom_stacks(const Seeds& seeds) {
+  for (const char flags : {'\0', '\4'}) {
+    for (const double last : {3.0, 3.5}) {
+      std::string bytes;
+      for (const double place : {0.0, 1.0, 2.0, last}) {
+        DicomSlice slice{};
+        slice.series[0] = '1';
+        slice.number = static_cast<std::int64_t>(place);
+        slice.size = {4, 3, 1};
+        slice.spacing = {1.0, 1.0, 1.0};
+        slice.position = {0.0, 0.0, place};
+        slice.along_row = {1.0, 0.0, 0.0};
+        slice.along_column = {0.0, 1.0, 0.0};
+        bytes += flags;
+        bytes.append(reinterpret_cast<const char*>(&slice), sizeof(slice));
+      }
+      seeds.add("dicom_stack", fmt::format("{}_{}", static_cast<int>(flags), last), bytes);
+    }
+  }
 }
 
 void add_gaussians(const Seeds& seeds) {
@@ -150,6 +174,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const relief::test::Seeds seeds(argv[1]);
   relief::test::add_scans(seeds);
+  relief::test::add_dicom_stacks(seeds);
   relief::test::add_gaussians(seeds);
   relief::test::add_patch_files(seeds, argv[2]);
   relief::test::add_images(seeds);
