@@ -79,7 +79,7 @@ struct Points {
                                             ///< load_textures has read them
   std::vector<PointScalar> scalars;         ///< those that were asked for
   std::optional<glm::dvec3> viewpoint;      ///< the scanner's position, if the file gives it
-  std::optional<Stance> stance;             ///< if the file says how its points stand
+  std::optional<Stance> stance;             ///< if known, from the file or a mesh's shape
   /// The scanners' positions, if the file gives several; empty otherwise.
   std::vector<glm::dvec3> scanners;
   std::vector<std::uint16_t> scanner_of;  ///< index into `scanners`; empty if there are none

@@ -20,6 +20,10 @@ struct Stance {
 /// X to the east, Y to the north, Z up: surveys, maps, rasters. In front is the south.
 inline constexpr Stance kZUp{{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}, false};
 
+/// Up to this share of its width and depth a model's height makes it flat: the terrain and the
+/// airborne scans at hand have 0.05 to 0.25, the flattest body, a rocker arm that lies, 0.59.
+inline constexpr double kFlatHeight = 0.3;
+
 /// Returns the stance whose up direction is `up`, of any length but 0. In front is what the nearest
 /// of the six axes gives: with Y up +Z, with Z up -Y, with -Y up -Z, with -Z up +Y, with X and -X
 /// up +Z.

@@ -16,7 +16,8 @@
 namespace relief {
 
 /// Reads a scan or mesh with its materials and textures, and the scalars that are asked for. Adds a
-/// note for each that is left out.
+/// note for each that is left out. Z is up for a mesh that stands so (common/mesh/footing.h),
+/// unless its file says what is up.
 Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
                              Progress& progress, const ReadOptions& options = {});
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "common/bounds.h"
+#include "common/cross.h"
+#include "common/stance.h"
 
 namespace relief {
 namespace {
@@ -20,8 +22,6 @@ constexpr double kLowest = 0.02;
 constexpr double kPlainShare = 0.1;
 constexpr double kPlainMargin = 0.1;
 constexpr double kSomeShare = 0.02;
-/// The least height of what is not flat, of its width.
-constexpr double kFlat = 0.3;
 
 struct Body {
   Bounds bounds;
@@ -42,10 +42,6 @@ Body body_of(const Points& mesh) {
   }
   if (body.area > 0.0) body.centre /= body.area;
   return body;
-}
-
-double cross(glm::dvec2 a, glm::dvec2 b) {
-  return a.x * b.y - a.y * b.x;
 }
 
 /// The corners of the convex hull, counterclockwise (Andrew's monotone chain).
@@ -109,7 +105,7 @@ bool stands_on_z(const Points& mesh) {
   const Body body = body_of(mesh);
   if (!(body.area > 0.0)) return false;
   const glm::dvec3 size = body.bounds.max - body.bounds.min;
-  if (size.z < kFlat * std::max(size.x, size.y)) return false;
+  if (size.z < kFlatHeight * std::max(size.x, size.y)) return false;
   const Footing y = footing_of(mesh, body, 1);
   if (y.share >= kSomeShare && y.margin >= 0.0) return false;
   const Footing z = footing_of(mesh, body, 2);

@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kDefaultFieldOfView = 45.0;
 
-/// Up to this share of its width and depth a model's height makes it flat: the terrain and the
-/// airborne scans at hand have 0.05 to 0.25, the flattest body, a rocker arm that lies, 0.59.
-constexpr double kFlat = 0.3;
-
 constexpr Orbit kFlatOrbit{30.0, 35.0, 0.0};
 constexpr Orbit kBodyOrbit{25.0, 15.0, 0.0};
 
@@ -89,7 +85,7 @@ bool is_flat(const PatchModel& model, const Stance& stance) {
   };
   const glm::dvec3 side = glm::cross(stance.up, stance.front);
   const double level = std::min(length_along(side), length_along(stance.front));
-  return length_along(stance.up) <= kFlat * level;
+  return length_along(stance.up) <= kFlatHeight * level;
 }
 
 std::vector<glm::dvec3> points_to_frame(const PatchModel& model) {

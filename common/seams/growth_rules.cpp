@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "common/cross.h"
+
 namespace relief {
 namespace {
 
@@ -29,10 +31,6 @@ constexpr double kSheet = 0.6;
 
 using Vertex = Front::Vertex;
 using Edge = Front::Edge;
-
-double cross2(glm::dvec2 a, glm::dvec2 b) {
-  return a.x * b.y - a.y * b.x;
-}
 
 /// Whether the corner at `v` of a triangle v, next, last lies in one gap of the border there.
 bool fits_gap(const Front& front, Vertex v, Vertex next, Vertex last) {
@@ -121,8 +119,8 @@ class NewTriangle {
     const glm::dvec3 position = front_.vertex(v).position;
     if (!(std::abs(glm::dot(position - p_[0], n_)) < sheet_)) return false;
     const glm::dvec2 q = flat(position);
-    return cross2(t_[1] - t_[0], q - t_[0]) > 0.0 && cross2(t_[2] - t_[1], q - t_[1]) > 0.0 &&
-           cross2(t_[0] - t_[2], q - t_[2]) > 0.0;
+    return cross(t_[1] - t_[0], q - t_[0]) > 0.0 && cross(t_[2] - t_[1], q - t_[1]) > 0.0 &&
+           cross(t_[0] - t_[2], q - t_[2]) > 0.0;
   }
 
   /// Whether the edge v, w crosses one of the triangle's two new edges.
@@ -134,10 +132,10 @@ class NewTriangle {
     for (const std::size_t side : {1U, 2U}) {
       const std::size_t next = (side + 1) % 3;
       if (w == corners_[side] || w == corners_[next]) continue;
-      const double s0 = cross2(t_[next] - t_[side], q - t_[side]);
-      const double s1 = cross2(t_[next] - t_[side], r - t_[side]);
-      const double u0 = cross2(r - q, t_[side] - q);
-      const double u1 = cross2(r - q, t_[next] - q);
+      const double s0 = cross(t_[next] - t_[side], q - t_[side]);
+      const double s1 = cross(t_[next] - t_[side], r - t_[side]);
+      const double u0 = cross(r - q, t_[side] - q);
+      const double u1 = cross(r - q, t_[next] - q);
       if (s0 * s1 >= 0.0 || u0 * u1 >= 0.0) continue;
       const glm::dvec3 at = glm::mix(begin, end, s0 / (s0 - s1));
       if (std::abs(glm::dot(at - p_[0], n_)) < sheet_) return true;

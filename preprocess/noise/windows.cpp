@@ -79,7 +79,7 @@ void grow_window(Rings& rings, QuadricFit& fit, double noise, NoiseWindow& windo
   }
 }
 
-/// What is known of the window of a slot.
+/// What is known of the window of a slot: its own, or that of the first slot of its group.
 enum class Slot : std::uint8_t { Open, Own, Shares };
 
 static_assert((Rings::kCount - kFirstRings) % kMoreRings == 0);
@@ -122,20 +122,19 @@ std::vector<NoiseWindow> find_windows(const PositionTree& tree,
     };
     std::vector<std::uint32_t> shared;  // first slots
     for (std::uint32_t first = 0; first < count; first += sharing.slots) {
-      const bool is_alone = slots[first] == Slot::Own && windows[first].stands_for == 1.0;
-      if (is_alone && is_large(first) && is_large(first + sharing.slots) &&
+      if (slots[first] == Slot::Own && is_large(first) && is_large(first + sharing.slots) &&
           (first == 0 || is_large(first - sharing.slots)))
         shared.push_back(first);
     }
     for (const std::uint32_t first : shared) {
       const std::uint32_t end = std::min(first + sharing.slots, count);
       windows[first].stands_for = end - first;
-      for (std::uint32_t slot = first + 1; slot < end; ++slot) {
+      for (std::uint32_t slot = first; slot < end; ++slot) {
         slots[slot] = Slot::Shares;
         windows[slot].centre = centres[slot];
         windows[slot].unit = noise[slot] > 0.0F ? spacing[slot] : 0.0F;
       }
-      progress.advance(end - first - 1);
+      progress.advance(end - first - 1);  // the first has been counted
     }
   };
   for (const Sharing& sharing : kSharings) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "common/cross.h"
 #include "preprocess/points/complete_frame.h"
 #include "preprocess/resample/grow_region.h"
 
@@ -53,8 +54,7 @@ std::vector<glm::dvec2> near_hull(const std::vector<glm::dvec2>& points) {
     for (std::size_t d = 0; d < corners.size() && inside; ++d) {
       const glm::dvec2 side = corners[(d + 1) % corners.size()] - corners[d];
       const glm::dvec2 to = p - corners[d];
-      inside =
-          side == glm::dvec2(0.0) || side.x * to.y - side.y * to.x > rounding * glm::length(side);
+      inside = side == glm::dvec2(0.0) || cross(side, to) > rounding * glm::length(side);
     }
     if (!inside) near.push_back(p);
   }

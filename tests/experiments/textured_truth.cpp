@@ -7,6 +7,8 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "common/cross.h"
+
 namespace relief::experiment {
 namespace {
 
@@ -22,10 +24,6 @@ glm::dvec3 to_screen(glm::dvec3 p, const Camera& camera, const glm::dmat3& rotat
   const glm::dvec3 eye = rotation * (p - camera.eye);
   const double focal = 0.5 * side / std::tan(glm::radians(camera.vertical_fov_degrees) / 2.0);
   return {0.5 * side + focal * eye.x / -eye.z, 0.5 * side - focal * eye.y / -eye.z, -eye.z};
-}
-
-double cross(glm::dvec2 a, glm::dvec2 b) {  // its length, with the sign of the turn
-  return a.x * b.y - a.y * b.x;
 }
 
 void rasterise(const glm::dvec3 (&p)[3], const CornerTexcoords& texcoords, std::int64_t side,

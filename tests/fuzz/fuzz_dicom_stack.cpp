@@ -1,5 +1,6 @@
 // Fuzzes the stacking of DICOM slices, whatever GDCM has read of hostile files.
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <string>

@@ -62,10 +62,6 @@ float slack_of(glm::vec3 centre, float radius) {
   return 2e-6F * (glm::length(centre) + radius);
 }
 
-double cross(glm::dvec2 a, glm::dvec2 b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 /// The lowest and the highest sample of a patch, height indices.
 glm::ivec2 height_range(const Patch& patch) {
   glm::ivec2 range(kMaxHeightRange, 0);

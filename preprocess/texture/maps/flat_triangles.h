@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "common/cross.h"
 #include "common/patch.h"
 #include "common/points.h"
 
@@ -31,7 +32,6 @@ struct FlatTriangle {
   }
   /// Returns the weights times `twice_area`.
   [[nodiscard]] glm::dvec3 areas_at(glm::dvec2 position) const {
-    const auto cross = [](glm::dvec2 u, glm::dvec2 v) { return u.x * v.y - u.y * v.x; };
     const glm::dvec2 a = corners[0] - position;
     const glm::dvec2 b = corners[1] - position;
     const glm::dvec2 c = corners[2] - position;

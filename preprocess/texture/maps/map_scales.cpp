@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/cross.h"
+
 namespace relief {
 namespace {
 
@@ -20,7 +22,7 @@ double image_area(const Points& mesh, std::uint32_t triangle, glm::dvec2 size) {
   const CornerTexcoords at = texcoords_of(mesh, triangle);
   const glm::dvec2 b = size * glm::dvec2(at[1] - at[0]);
   const glm::dvec2 c = size * glm::dvec2(at[2] - at[0]);
-  return std::abs(b.x * c.y - b.y * c.x);
+  return std::abs(cross(b, c));
 }
 
 /// Twice the area of triangles, in texels of their images and in cells of a patch.
