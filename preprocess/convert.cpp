@@ -26,7 +26,7 @@
 #include "preprocess/partition/split_by_density.h"
 #include "preprocess/points/densify.h"
 #include "preprocess/points/even_out.h"
-#include "preprocess/resample/scalars.h"
+#include "preprocess/resample/attributes/scalars.h"
 #include "preprocess/resample/spacing/patch_spacing.h"
 #include "preprocess/sample_search.h"
 #include "preprocess/texture/files/load_textures.h"

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "preprocess/resample/store_heights.h"
+#include "preprocess/resample/heights/store_heights.h"
 #include "preprocess/texture/maps/map_scales.h"
 #include "preprocess/texture/maps/shown_triangles.h"
 

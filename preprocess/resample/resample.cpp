@@ -10,15 +10,15 @@
 #include <optional>
 
 #include "preprocess/partition/spacing_range.h"
-#include "preprocess/resample/attributes.h"
+#include "preprocess/resample/attributes/attributes.h"
+#include "preprocess/resample/attributes/scalars.h"
 #include "preprocess/resample/borders/creases.h"
 #include "preprocess/resample/borders/density_steps.h"
 #include "preprocess/resample/borders/end_at_border.h"
 #include "preprocess/resample/borders/foreign_nodes.h"
-#include "preprocess/resample/mls.h"
-#include "preprocess/resample/other_sheets.h"
-#include "preprocess/resample/scalars.h"
-#include "preprocess/resample/store_heights.h"
+#include "preprocess/resample/heights/mls.h"
+#include "preprocess/resample/heights/store_heights.h"
+#include "preprocess/resample/surroundings/other_sheets.h"
 
 namespace relief {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "common/patch.h"
 #include "preprocess/convert_options.h"
-#include "preprocess/resample/normal_source.h"
+#include "preprocess/resample/attributes/normal_source.h"
 #include "preprocess/resample/scan_surface.h"
-#include "preprocess/resample/support.h"
+#include "preprocess/resample/support/support.h"
 
 namespace relief {
 

@@ -8,7 +8,7 @@
 #include "common/scalar.h"
 #include "preprocess/normals/crease_normals.h"
 #include "preprocess/partition/partition.h"
-#include "preprocess/resample/fit_census.h"
+#include "preprocess/resample/heights/fit_census.h"
 
 namespace relief {
 

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "preprocess/resample/grow_region.h"
+#include "preprocess/resample/surroundings/grow_region.h"
 
 namespace relief {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "preprocess/normals/crease_sides.h"
-#include "preprocess/resample/patch_points.h"
-#include "preprocess/resample/point_grid.h"
 #include "preprocess/resample/scan_surface.h"
+#include "preprocess/resample/surroundings/patch_points.h"
+#include "preprocess/resample/surroundings/point_grid.h"
 
 namespace relief {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
-#include "preprocess/resample/node_support.h"
+#include "preprocess/resample/support/node_support.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "preprocess/resample/borders/scan_border.h"
-#include "preprocess/resample/support.h"
+#include "preprocess/resample/support/support.h"
 
 namespace relief {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "preprocess/normals/crease_sides.h"
-#include "preprocess/resample/sectors.h"
+#include "preprocess/resample/support/sectors.h"
 
 namespace relief {
 namespace {

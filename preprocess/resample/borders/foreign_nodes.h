@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "preprocess/resample/borders/creases.h"
-#include "preprocess/resample/mls.h"
-#include "preprocess/resample/patch_grid.h"
-#include "preprocess/resample/support.h"
+#include "preprocess/resample/heights/mls.h"
+#include "preprocess/resample/support/patch_grid.h"
+#include "preprocess/resample/support/support.h"
 
 namespace relief {
 

@@ -11,7 +11,7 @@
 
 #include "preprocess/points/complete_frame.h"
 #include "preprocess/resample/borders/density_steps.h"
-#include "preprocess/resample/sectors.h"
+#include "preprocess/resample/support/sectors.h"
 
 namespace relief {
 namespace {

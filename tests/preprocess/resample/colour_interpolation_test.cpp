@@ -1,4 +1,4 @@
-#include "preprocess/resample/colour_interpolation.h"
+#include "preprocess/resample/attributes/colour_interpolation.h"
 
 #include <gtest/gtest.h>
 

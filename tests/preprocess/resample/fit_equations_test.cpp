@@ -1,4 +1,4 @@
-#include "preprocess/resample/fit_equations.h"
+#include "preprocess/resample/heights/fit_equations.h"
 
 #include <gtest/gtest.h>
 

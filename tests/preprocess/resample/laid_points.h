@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "preprocess/resample/patch_points.h"
+#include "preprocess/resample/surroundings/patch_points.h"
 
 namespace relief::test {
 

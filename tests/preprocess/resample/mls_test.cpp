@@ -1,5 +1,5 @@
 // The moving-least-squares surface over a base plane.
-#include "preprocess/resample/mls.h"
+#include "preprocess/resample/heights/mls.h"
 
 #include <gtest/gtest.h>
 

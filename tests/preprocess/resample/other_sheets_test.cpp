@@ -1,5 +1,5 @@
 // Surroundings above or below a region do not move its samples.
-#include "preprocess/resample/other_sheets.h"
+#include "preprocess/resample/surroundings/other_sheets.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "common/octahedral.h"
 #include "preprocess/measure.h"
-#include "preprocess/resample/attributes.h"
+#include "preprocess/resample/attributes/attributes.h"
 #include "tests/preprocess/prepared.h"
 #include "tests/preprocess/surfaces.h"
 

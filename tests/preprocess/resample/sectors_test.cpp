@@ -1,4 +1,4 @@
-#include "preprocess/resample/sectors.h"
+#include "preprocess/resample/support/sectors.h"
 
 #include <gtest/gtest.h>
 

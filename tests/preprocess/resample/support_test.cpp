@@ -1,5 +1,5 @@
 // Which nodes get a sample, from points that are laid out by hand.
-#include "preprocess/resample/support.h"
+#include "preprocess/resample/support/support.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "preprocess/resample/node_support.h"
+#include "preprocess/resample/support/node_support.h"
 #include "tests/preprocess/resample/laid_points.h"
 
 namespace relief {

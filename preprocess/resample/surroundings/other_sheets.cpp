@@ -1,4 +1,4 @@
-#include "preprocess/resample/other_sheets.h"
+#include "preprocess/resample/surroundings/other_sheets.h"
 
 #include <algorithm>
 #include <cmath>

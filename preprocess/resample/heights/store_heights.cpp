@@ -1,4 +1,4 @@
-#include "preprocess/resample/store_heights.h"
+#include "preprocess/resample/heights/store_heights.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "preprocess/resample/point_grid.h"
+#include "preprocess/resample/surroundings/point_grid.h"
 
 namespace relief {
 

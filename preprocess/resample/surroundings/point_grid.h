@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "preprocess/resample/patch_points.h"
+#include "preprocess/resample/surroundings/patch_points.h"
 
 namespace relief {
 

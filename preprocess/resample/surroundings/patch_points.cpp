@@ -1,4 +1,4 @@
-#include "preprocess/resample/patch_points.h"
+#include "preprocess/resample/surroundings/patch_points.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "common/cross.h"
 #include "preprocess/points/complete_frame.h"
-#include "preprocess/resample/grow_region.h"
+#include "preprocess/resample/surroundings/grow_region.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "preprocess/resample/point_grid.h"
+#include "preprocess/resample/surroundings/point_grid.h"
 
 namespace relief {
 

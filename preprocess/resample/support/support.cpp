@@ -1,10 +1,10 @@
-#include "preprocess/resample/support.h"
+#include "preprocess/resample/support/support.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/patch.h"
-#include "preprocess/resample/node_support.h"
+#include "preprocess/resample/support/node_support.h"
 
 namespace relief {
 

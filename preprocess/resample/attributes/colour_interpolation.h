@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "preprocess/resample/point_grid.h"
+#include "preprocess/resample/surroundings/point_grid.h"
 
 namespace relief {
 

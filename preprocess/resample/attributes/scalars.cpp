@@ -1,4 +1,4 @@
-#include "preprocess/resample/scalars.h"
+#include "preprocess/resample/attributes/scalars.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/scalars/quantise.h"
-#include "preprocess/resample/attributes.h"
-#include "preprocess/resample/colour_interpolation.h"
+#include "preprocess/resample/attributes/attributes.h"
+#include "preprocess/resample/attributes/colour_interpolation.h"
 
 namespace relief {
 namespace {

@@ -1,7 +1,7 @@
 // Tells the surroundings of a region that lie above or below it from those that continue it.
 #pragma once
 
-#include "preprocess/resample/point_grid.h"
+#include "preprocess/resample/surroundings/point_grid.h"
 
 namespace relief {
 

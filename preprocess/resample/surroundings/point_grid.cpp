@@ -1,4 +1,4 @@
-#include "preprocess/resample/point_grid.h"
+#include "preprocess/resample/surroundings/point_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "preprocess/resample/node_support.h"
+#include "preprocess/resample/support/node_support.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "preprocess/resample/sectors.h"
+#include "preprocess/resample/support/sectors.h"
 
 namespace relief {
 namespace {

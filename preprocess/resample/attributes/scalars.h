@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/patch.h"
-#include "preprocess/resample/mls.h"
-#include "preprocess/resample/support.h"
+#include "preprocess/resample/heights/mls.h"
+#include "preprocess/resample/support/support.h"
 
 namespace relief {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/resample/patch_grid.h"
+#include "preprocess/resample/support/patch_grid.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/resample/attributes.h"
+#include "preprocess/resample/attributes/attributes.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "common/image/srgb.h"
 #include "common/octahedral.h"
-#include "preprocess/resample/colour_interpolation.h"
+#include "preprocess/resample/attributes/colour_interpolation.h"
 
 namespace relief {
 namespace {

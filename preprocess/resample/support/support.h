@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "preprocess/resample/patch_grid.h"
+#include "preprocess/resample/support/patch_grid.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/resample/mls.h"
+#include "preprocess/resample/heights/mls.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <span>
 
 #include "preprocess/normals/crease_sides.h"
-#include "preprocess/resample/fit_equations.h"
+#include "preprocess/resample/heights/fit_equations.h"
 
 namespace relief {
 namespace {

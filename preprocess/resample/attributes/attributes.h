@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "preprocess/resample/mls.h"
-#include "preprocess/resample/normal_source.h"
-#include "preprocess/resample/support.h"
+#include "preprocess/resample/attributes/normal_source.h"
+#include "preprocess/resample/heights/mls.h"
+#include "preprocess/resample/support/support.h"
 
 namespace relief {
 
