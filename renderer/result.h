@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/image/image.h"
-#include "renderer/frame/explanation.h"
-#include "renderer/frame/pass_time.h"
+#include "renderer/explanation/explanation.h"
+#include "renderer/explanation/pass_time.h"
 
 namespace relief {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "renderer/engine_checks.h"
-#include "renderer/frame/attachments.h"
 #include "renderer/frame/gl_engine.h"
 #include "renderer/frame/image_parts.h"
+#include "renderer/frame/targets/attachments.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/gl/saved_state.h"
 #include "renderer/shading/environment_cache.h"

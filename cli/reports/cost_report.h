@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/patch_file/patch_file.h"
-#include "renderer/frame/feature_cost.h"
+#include "renderer/explanation/feature_cost.h"
 
 namespace relief::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/reports/cost_report.h"
-#include "renderer/frame/explanation.h"
+#include "renderer/explanation/explanation.h"
 
 namespace relief::cli {
 

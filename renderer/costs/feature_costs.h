@@ -6,7 +6,7 @@
 #include "common/error.h"
 #include "common/progress.h"
 #include "renderer/engine.h"
-#include "renderer/frame/feature_cost.h"
+#include "renderer/explanation/feature_cost.h"
 
 namespace relief {
 

@@ -9,8 +9,8 @@
 
 #include "common/error.h"
 #include "common/progress.h"
-#include "renderer/frame/resolve.h"
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/resolve.h"
+#include "renderer/frame/targets/targets.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"

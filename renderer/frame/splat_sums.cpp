@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/frame/attachments.h"
 #include "renderer/frame/features.h"
+#include "renderer/frame/targets/attachments.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -9,7 +9,7 @@
 
 #include "common/error.h"
 #include "common/progress.h"
-#include "renderer/frame/pass_time.h"
+#include "renderer/explanation/pass_time.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderer/frame/feature_names.h"
+#include "renderer/gl/shader/feature_names.h"
 
 namespace relief {
 namespace {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/frame/explanation.h"
+#include "renderer/explanation/explanation.h"
 #include "renderer/gl/features.h"
 
 namespace relief {

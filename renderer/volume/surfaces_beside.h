@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "common/progress.h"
 #include "renderer/engine.h"
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 
 namespace relief {
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "renderer/engine_registry.h"
-#include "renderer/frame/attachments.h"
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/attachments.h"
+#include "renderer/frame/targets/targets.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/store/collected_store.h"

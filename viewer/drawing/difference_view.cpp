@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/targets.h"
 #include "viewer/inspecting/difference_map.h"
 
 namespace relief {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "common/image/srgb.h"
-#include "renderer/frame/attachments.h"
 #include "renderer/frame/gl_frame.h"
+#include "renderer/frame/targets/attachments.h"
 #include "renderer/gl/pass.h"
 #include "renderer/gl/program.h"
 #include "renderer/store/patch_store.h"

@@ -12,7 +12,7 @@
 #include "common/transform.h"
 #include "renderer/clip/refitted_cloud.h"
 #include "renderer/engines/ewa/splatting.h"
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 #include "renderer/geometry/splats_of_samples.h"
 #include "renderer/owned_or_borrowed.h"
 #include "renderer/shading/environment_cache.h"

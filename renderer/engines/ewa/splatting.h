@@ -7,7 +7,7 @@
 #include "renderer/clip/clip_partners.h"
 #include "renderer/engines/ewa/deferred_shading.h"
 #include "renderer/engines/ewa/settings.h"
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 #include "renderer/geometry/splat_cloud.h"
 #include "renderer/view/view.h"
 

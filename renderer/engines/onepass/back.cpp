@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "renderer/frame/attachments.h"
 #include "renderer/frame/sample_draws.h"
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/attachments.h"
+#include "renderer/frame/targets/targets.h"
 #include "renderer/view/uniforms.h"
 #include "shaders/include/shared.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "renderer/frame/attachments.h"
+#include "renderer/frame/targets/attachments.h"
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {

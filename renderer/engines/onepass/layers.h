@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "renderer/engines/onepass/visibility.h"
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/targets.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 

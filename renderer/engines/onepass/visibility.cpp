@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/frame/attachments.h"
+#include "renderer/frame/targets/attachments.h"
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/engines/raytrace/embree_scene.h"
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 #include "renderer/geometry/triangle_mesh.h"
 #include "renderer/shading/shading.h"
 #include "renderer/view/view.h"

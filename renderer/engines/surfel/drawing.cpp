@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "renderer/engines/surfel/select_surfels.h"
-#include "renderer/frame/attachments.h"
+#include "renderer/frame/targets/attachments.h"
 #include "renderer/shading/materials.h"
 #include "renderer/view/cull_mode.h"
 #include "shaders/surfel/layout.h"

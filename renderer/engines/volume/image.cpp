@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/frame/attachments.h"
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/attachments.h"
+#include "renderer/frame/targets/targets.h"
 #include "renderer/volume/volume_model.h"
 #include "shaders/volume/layout.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "common/error.h"
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 #include "renderer/gl/features.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/frame/attachments.h"
 #include "renderer/frame/features.h"
+#include "renderer/frame/targets/attachments.h"
 #include "renderer/gl/program.h"
 #include "renderer/view/uniforms.h"
 #include "shaders/volume/layout.h"

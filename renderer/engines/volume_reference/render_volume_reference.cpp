@@ -11,7 +11,7 @@
 
 #include "common/median.h"
 #include "renderer/engines/volume_reference/tiled_image.h"
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 #include "renderer/volume/surfaces_beside.h"
 #include "renderer/volume/volume_model.h"
 

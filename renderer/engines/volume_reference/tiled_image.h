@@ -12,7 +12,7 @@
 #include "renderer/engines/volume_reference/batch.h"
 #include "renderer/engines/volume_reference/tile_layers.h"
 #include "renderer/engines/volume_reference/tile_pixels.h"
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 #include "renderer/volume/splats/composite_rule.h"
 
 namespace relief::volume_reference {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/engines/volume_truth/ray_sum.h"
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 #include "renderer/view/view.h"
 
 namespace relief::volume_truth {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/frame/feature_names.h"
+#include "renderer/gl/shader/feature_names.h"
 #include "renderer/store/atlas.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/images.h"

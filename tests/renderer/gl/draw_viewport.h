@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/frame/attachments.h"
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/attachments.h"
+#include "renderer/frame/targets/targets.h"
 #include "renderer/viewport.h"
 
 namespace relief::test {

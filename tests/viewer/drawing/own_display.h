@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/transform.h"
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/targets.h"
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/renderer/gl/own_context.h"
 #include "viewer/drawing/display.h"

@@ -6,7 +6,7 @@
 
 #include "common/transform.h"
 #include "renderer/engine_options.h"
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 #include "renderer/view/view.h"
 
 namespace relief::toy {

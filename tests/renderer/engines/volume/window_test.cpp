@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "renderer/frame/attachments.h"
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/attachments.h"
+#include "renderer/frame/targets/targets.h"
 #include "renderer/render.h"
 #include "renderer/viewport.h"
 #include "tests/renderer/gl/own_context.h"

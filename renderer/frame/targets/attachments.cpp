@@ -1,4 +1,4 @@
-#include "renderer/frame/attachments.h"
+#include "renderer/frame/targets/attachments.h"
 
 #include <vector>
 

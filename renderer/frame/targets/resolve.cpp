@@ -1,8 +1,8 @@
-#include "renderer/frame/resolve.h"
+#include "renderer/frame/targets/resolve.h"
 
 #include <utility>
 
-#include "renderer/frame/attachments.h"
+#include "renderer/frame/targets/attachments.h"
 #include "renderer/gl/program.h"
 #include "shaders/include/shared.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/frame/explanation.h"
+#include "renderer/explanation/explanation.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "renderer/frame/film.h"
+#include "renderer/frame/targets/film.h"
 
 #include <cmath>
 #include <cstddef>

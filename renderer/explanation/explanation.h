@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/feature_cost.h"
+#include "renderer/explanation/feature_cost.h"
 
 namespace relief {
 

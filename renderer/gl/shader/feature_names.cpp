@@ -1,4 +1,4 @@
-#include "renderer/frame/feature_names.h"
+#include "renderer/gl/shader/feature_names.h"
 
 #include <bit>
 #include <charconv>

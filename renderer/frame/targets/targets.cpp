@@ -1,4 +1,4 @@
-#include "renderer/frame/targets.h"
+#include "renderer/frame/targets/targets.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/frame/attachments.h"
+#include "renderer/frame/targets/attachments.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
