@@ -14,7 +14,7 @@
 #include "common/progress.h"
 #include "common/scene/choices.h"
 #include "common/scene/option.h"
-#include "renderer/gl/features.h"
+#include "renderer/gl/shader/features.h"
 #include "renderer/model.h"
 #include "renderer/result.h"
 #include "renderer/settings.h"

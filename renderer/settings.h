@@ -18,7 +18,7 @@
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/engines/multipass/settings.h"
 #include "renderer/engines/raytrace/settings.h"
-#include "renderer/gl/platform.h"
+#include "renderer/gl/context/platform.h"
 #include "renderer/surfels/settings.h"
 #include "renderer/volume/settings.h"
 

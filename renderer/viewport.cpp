@@ -11,8 +11,8 @@
 #include "renderer/frame/gl_engine.h"
 #include "renderer/frame/image_parts.h"
 #include "renderer/frame/targets/attachments.h"
+#include "renderer/gl/drawing/saved_state.h"
 #include "renderer/gl/open_gl.h"
-#include "renderer/gl/saved_state.h"
 #include "renderer/shading/environment_cache.h"
 
 namespace relief {

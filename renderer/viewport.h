@@ -12,7 +12,7 @@
 #include "common/error.h"
 #include "common/image/image.h"
 #include "renderer/engine_registry.h"
-#include "renderer/gl/loader.h"
+#include "renderer/gl/context/loader.h"
 #include "renderer/model.h"
 #include "renderer/settings.h"
 #include "renderer/store/patch_store.h"

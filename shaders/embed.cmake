@@ -1,6 +1,6 @@
 # cmake -DOUTPUT=FILE.cpp -DFOLDER=shaders "-DFILES=a;b" -P embed.cmake
-# Writes the shader files into a C++ source that defines find_shader (renderer/gl/shader_text.h).
-set(text "// Made by shaders/embed.cmake.\n#include \"renderer/gl/shader_text.h\"\n\nnamespace relief {\n\n"
+# Writes the shader files into a C++ source that defines find_shader (renderer/gl/shader/shader_text.h).
+set(text "// Made by shaders/embed.cmake.\n#include \"renderer/gl/shader/shader_text.h\"\n\nnamespace relief {\n\n"
   "std::string_view find_shader(std::string_view path) {\n")
 foreach(file IN LISTS FILES)
   file(READ "${FOLDER}/${file}" shader)

@@ -19,7 +19,8 @@ struct Explanation {
     std::string vertex;  ///< file, relative to shaders/
     std::string fragment;
     std::vector<std::string> features;  ///< of shaders/include/shared.h, in lower case
-    /// Of both stages' texts, what the preprocessor leaves (renderer/gl/preprocess_shader.h).
+    /// Of both stages' texts, what the preprocessor leaves
+    /// (renderer/gl/shader/preprocess_shader.h).
     std::uint64_t lines = 0;
     bool drawn = false;  ///< in the frame
   };

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "renderer/gl/features.h"
+#include "renderer/gl/shader/features.h"
 #include "renderer/settings.h"
 #include "renderer/shading/lighting.h"
 #include "renderer/shading/materials.h"

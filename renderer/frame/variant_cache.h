@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "renderer/frame/gl_model.h"
-#include "renderer/gl/features.h"
+#include "renderer/gl/shader/features.h"
 
 namespace relief {
 

@@ -1,6 +1,6 @@
 #include "renderer/gl/functions.h"
 
-#include "renderer/gl/context.h"
+#include "renderer/gl/context/context.h"
 
 namespace relief {
 

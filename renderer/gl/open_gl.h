@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "common/error.h"
-#include "renderer/gl/context.h"
+#include "renderer/gl/context/context.h"
+#include "renderer/gl/context/loader.h"
+#include "renderer/gl/context/platform.h"
 #include "renderer/gl/debug.h"
 #include "renderer/gl/functions.h"
-#include "renderer/gl/loader.h"
-#include "renderer/gl/platform.h"
 #include "renderer/gl/recorder.h"
 
 namespace relief {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gl/preprocess_shader.h"
-#include "renderer/gl/shader_text.h"
+#include "renderer/gl/shader/preprocess_shader.h"
+#include "renderer/gl/shader/shader_text.h"
 
 namespace relief {
 namespace {

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "common/error.h"
-#include "renderer/gl/features.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
+#include "renderer/gl/shader/features.h"
 
 namespace relief {
 

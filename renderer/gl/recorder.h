@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "renderer/explanation/explanation.h"
-#include "renderer/gl/features.h"
+#include "renderer/gl/shader/features.h"
 
 namespace relief {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "common/error.h"
+#include "renderer/gl/drawing/pass.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/gl/pass.h"
 #include "renderer/shading/cube_map.h"
 
 namespace relief {

@@ -17,11 +17,11 @@ using glm::vec4;
 #define RELIEF_CONST const
 #endif
 
-// Feature bits: with the number of lights, the key of a shader variant (renderer/gl/features.h,
-// which also lists what does not go together). They come only from the scene and the settings; each
-// says what it costs a frame that has it. All 32 are in use. The lights are a word of their own,
-// RELIEF_LIGHTS, so that the loop over them is known when a shader is compiled: a light more is a
-// highlight per fragment.
+// Feature bits: with the number of lights, the key of a shader variant
+// (renderer/gl/shader/features.h, which also lists what does not go together). They come only from
+// the scene and the settings; each says what it costs a frame that has it. All 32 are in use. The
+// lights are a word of their own, RELIEF_LIGHTS, so that the loop over them is known when a shader
+// is compiled: a light more is a highlight per fragment.
 
 // Sprites, ray-cast in the fragment stage; writes gl_FragDepth, so that no fragment is rejected
 // before it is shaded. Without it: quads with their own depth.

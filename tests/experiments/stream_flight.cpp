@@ -39,7 +39,7 @@
 #include "loader/view_settings.h"
 #include "renderer/frame/targets/attachments.h"
 #include "renderer/frame/targets/targets.h"
-#include "renderer/gl/context.h"
+#include "renderer/gl/context/context.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/viewport.h"
 

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "common/image/image.h"
-#include "renderer/gl/loader.h"
+#include "renderer/gl/context/loader.h"
 #include "renderer/gl/open_gl.h"
 #include "viewer/drawing/collect_job.h"
 #include "viewer/drawing/inspector.h"

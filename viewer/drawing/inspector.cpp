@@ -7,7 +7,7 @@
 #include "common/image/srgb.h"
 #include "renderer/frame/gl_frame.h"
 #include "renderer/frame/targets/attachments.h"
-#include "renderer/gl/pass.h"
+#include "renderer/gl/drawing/pass.h"
 #include "renderer/gl/program.h"
 #include "renderer/store/patch_store.h"
 #include "shaders/include/shared.h"

@@ -6,7 +6,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <span>
 
-#include "renderer/gl/pass.h"
+#include "renderer/gl/drawing/pass.h"
 #include "renderer/gl/program.h"
 #include "renderer/view/view.h"
 #include "shaders/include/shared.h"

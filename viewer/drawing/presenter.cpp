@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/gl/pass.h"
+#include "renderer/gl/drawing/pass.h"
 #include "renderer/gl/program.h"
 #include "shaders/include/shared.h"
 

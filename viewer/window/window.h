@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "renderer/gl/loader.h"
+#include "renderer/gl/context/loader.h"
 #include "viewer/window/events.h"
 
 struct GLFWwindow;

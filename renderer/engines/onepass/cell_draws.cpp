@@ -5,7 +5,7 @@
 #include <span>
 
 #include "renderer/engines/onepass/cell_list.h"
-#include "renderer/gl/draw_throttle.h"
+#include "renderer/gl/drawing/draw_throttle.h"
 #include "renderer/gl/software.h"
 #include "renderer/view/draw_list.h"
 #include "shaders/include/shared.h"

@@ -6,9 +6,9 @@
 
 #include "common/error.h"
 #include "renderer/engines/surfel/select_surfels.h"
-#include "renderer/gl/features.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
+#include "renderer/gl/shader/features.h"
 
 namespace relief::surfel {
 

@@ -7,9 +7,9 @@
 
 #include "common/error.h"
 #include "renderer/frame/targets/film.h"
-#include "renderer/gl/features.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
+#include "renderer/gl/shader/features.h"
 
 namespace relief::volume {
 

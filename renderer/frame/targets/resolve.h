@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "common/error.h"
+#include "renderer/gl/drawing/pass.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/gl/pass.h"
 #include "renderer/view/view.h"
 
 namespace relief {

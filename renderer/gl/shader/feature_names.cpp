@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "common/error.h"
-#include "renderer/gl/shader_text.h"
+#include "renderer/gl/shader/shader_text.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gl/features.h"
+#include "renderer/gl/shader/features.h"
 
 namespace relief {
 

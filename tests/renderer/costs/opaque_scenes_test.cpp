@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gl/preprocess_shader.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/shader/feature_names.h"
+#include "renderer/gl/shader/preprocess_shader.h"
 #include "tests/renderer/images.h"
 
 namespace relief {

@@ -1,5 +1,5 @@
 // What is drawn on the CPU is waited for, fence by fence; what a GPU draws is not.
-#include "renderer/gl/draw_throttle.h"
+#include "renderer/gl/drawing/draw_throttle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Which displays a context is tried of, and in which order, told by an EGL that is made up: no
 // machine has them all.
-#include "renderer/gl/egl.h"
+#include "renderer/gl/context/egl.h"
 
 #include <gtest/gtest.h>
 

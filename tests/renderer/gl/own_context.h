@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "renderer/gl/context.h"
+#include "renderer/gl/context/context.h"
+#include "renderer/gl/context/loader.h"
 #include "renderer/gl/debug.h"
 #include "renderer/gl/functions.h"
-#include "renderer/gl/loader.h"
 
 namespace relief::test {
 

@@ -10,7 +10,7 @@
 
 #include "common/image/image_io.h"
 #include "common/io/file.h"
-#include "renderer/gl/library.h"
+#include "renderer/gl/context/library.h"
 #include "tests/renderer/images.h"
 
 namespace relief {

@@ -1,12 +1,12 @@
 // What a shader's preprocessor leaves of it.
-#include "renderer/gl/preprocess_shader.h"
+#include "renderer/gl/shader/preprocess_shader.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "renderer/gl/features.h"
 #include "renderer/gl/program.h"
+#include "renderer/gl/shader/features.h"
 
 namespace relief {
 namespace {

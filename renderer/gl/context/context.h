@@ -5,8 +5,8 @@
 #include <string>
 
 #include "common/error.h"
-#include "renderer/gl/loader.h"
-#include "renderer/gl/platform.h"
+#include "renderer/gl/context/loader.h"
+#include "renderer/gl/context/platform.h"
 
 namespace relief {
 

@@ -1,10 +1,11 @@
 // OpenGL by OSMesa: Mesa's software rasteriser as a plain library, where there is no EGL.
+#include <GL/glcorearb.h>
+
 #include <array>
 #include <utility>
 
-#include "renderer/gl/context.h"
-#include "renderer/gl/functions.h"
-#include "renderer/gl/library.h"
+#include "renderer/gl/context/context.h"
+#include "renderer/gl/context/library.h"
 
 namespace relief {
 namespace {

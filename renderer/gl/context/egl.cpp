@@ -1,9 +1,9 @@
-#include "renderer/gl/egl.h"
+#include "renderer/gl/context/egl.h"
 
 #include <array>
 #include <string_view>
 
-#include "renderer/gl/library.h"
+#include "renderer/gl/context/library.h"
 
 namespace relief {
 namespace {

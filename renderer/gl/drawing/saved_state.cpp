@@ -1,4 +1,4 @@
-#include "renderer/gl/saved_state.h"
+#include "renderer/gl/drawing/saved_state.h"
 
 namespace relief {
 namespace {

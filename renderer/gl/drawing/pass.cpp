@@ -1,4 +1,4 @@
-#include "renderer/gl/pass.h"
+#include "renderer/gl/drawing/pass.h"
 
 #include <algorithm>
 #include <utility>

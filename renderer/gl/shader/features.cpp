@@ -1,4 +1,4 @@
-#include "renderer/gl/features.h"
+#include "renderer/gl/shader/features.h"
 
 #include <array>
 

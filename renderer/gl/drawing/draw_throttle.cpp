@@ -1,4 +1,4 @@
-#include "renderer/gl/draw_throttle.h"
+#include "renderer/gl/drawing/draw_throttle.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "renderer/gl/context.h"
+#include "renderer/gl/context/context.h"
 
 #include <utility>
 

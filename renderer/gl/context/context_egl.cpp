@@ -2,8 +2,8 @@
 #include <array>
 #include <utility>
 
-#include "renderer/gl/context.h"
-#include "renderer/gl/egl.h"
+#include "renderer/gl/context/context.h"
+#include "renderer/gl/context/egl.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/gl/preprocess_shader.h"
+#include "renderer/gl/shader/preprocess_shader.h"
 
 #include <algorithm>
 #include <cctype>
