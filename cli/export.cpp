@@ -18,7 +18,7 @@
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
 #include "loader/load_files.h"
-#include "renderer/geometry/points_of_patches.h"
+#include "renderer/geometry/meshes/points_of_patches.h"
 
 namespace relief::cli {
 namespace {

@@ -14,8 +14,8 @@ set(RELIEF_PUBLIC_HEADERS
   preprocess/convert.h preprocess/convert_options.h preprocess/convert_tiles.h
   preprocess/normals/known_sides.h
   preprocess/readers/read_points.h preprocess/readers/read_result.h preprocess/tiles/tile_options.h
-  renderer/geometry/mesh_of_patches.h renderer/geometry/mesh_of_points.h
-  renderer/geometry/points_of_patches.h renderer/render.h renderer/viewport.h)
+  renderer/geometry/meshes/mesh_of_patches.h renderer/geometry/meshes/mesh_of_points.h
+  renderer/geometry/meshes/points_of_patches.h renderer/render.h renderer/viewport.h)
 install(CODE "
   set(SOURCE ${PROJECT_SOURCE_DIR})
   set(STAGE ${PROJECT_BINARY_DIR}/include/relief)

@@ -16,7 +16,7 @@
 #include "common/points.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/read_points.h"
-#include "renderer/geometry/points_of_patches.h"
+#include "renderer/geometry/meshes/points_of_patches.h"
 
 namespace relief {
 namespace openmesh_adapter {

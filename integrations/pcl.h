@@ -17,7 +17,7 @@
 #include "common/points.h"
 #include "preprocess/readers/pcd/sensor_stance.h"
 #include "preprocess/readers/read_points.h"
-#include "renderer/geometry/points_of_patches.h"
+#include "renderer/geometry/meshes/points_of_patches.h"
 
 namespace relief {
 

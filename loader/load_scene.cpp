@@ -20,8 +20,8 @@
 #include "loader/view_settings.h"
 #include "preprocess/convert.h"
 #include "preprocess/raster/raster.h"
-#include "renderer/geometry/mesh_of_patches.h"
-#include "renderer/geometry/mesh_of_points.h"
+#include "renderer/geometry/meshes/mesh_of_patches.h"
+#include "renderer/geometry/meshes/mesh_of_points.h"
 #include "renderer/geometry/splats_of_samples.h"
 #include "renderer/view/texels_in_view.h"
 

@@ -7,8 +7,8 @@
 #include "common/patch.h"
 #include "common/patch_file/patch_file.h"
 #include "common/scalars/colour_scale.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 #include "renderer/geometry/splat_cloud.h"
-#include "renderer/geometry/triangle_mesh.h"
 #include "renderer/model.h"
 
 namespace relief {

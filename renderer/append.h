@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "common/transform.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 #include "renderer/geometry/splat_cloud.h"
-#include "renderer/geometry/triangle_mesh.h"
 
 namespace relief {
 

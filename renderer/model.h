@@ -9,8 +9,8 @@
 #include "common/patch.h"
 #include "common/volume/gaussian_cloud.h"
 #include "common/volume/scalar_volume.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 #include "renderer/geometry/splat_cloud.h"
-#include "renderer/geometry/triangle_mesh.h"
 #include "renderer/volume/volume_parts.h"
 
 namespace relief {

@@ -93,8 +93,9 @@ struct RenderSettings {
 inline constexpr double kPixelsPerSampleOfCells = 4.0;
 
 /// Each patch is drawn at its coarsest level whose samples are seen at most this far apart, in
-/// pixels, and which is off the finest by at most kMostLevelError of that (geometry/levels.h); 0:
-/// the finest, the default for sprites and quads, the methods of [Ochotta 2008].
+/// pixels, and which is off the finest by at most kMostLevelError of that
+/// (geometry/cells/levels.h); 0: the finest, the default for sprites and quads, the methods of
+/// [Ochotta 2008].
 [[nodiscard]] inline double pixels_per_sample_of(const RenderSettings& settings) {
   if (settings.engine != "onepass") return 0.0;  // the only engine with levels of detail
   const bool cells = settings.primitive == Primitive::Cell;

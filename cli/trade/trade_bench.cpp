@@ -9,8 +9,8 @@
 #include "loader/load_files.h"
 #include "preprocess/sample_search.h"
 #include "renderer/engine_checks.h"
-#include "renderer/geometry/mesh_of_patches.h"
-#include "renderer/geometry/mesh_of_points.h"
+#include "renderer/geometry/meshes/mesh_of_patches.h"
+#include "renderer/geometry/meshes/mesh_of_points.h"
 
 namespace relief::cli {
 namespace {

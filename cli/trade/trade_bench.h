@@ -15,7 +15,7 @@
 #include "common/image/image.h"
 #include "common/progress.h"
 #include "renderer/bench/bench_row.h"
-#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 
 namespace relief::cli {
 

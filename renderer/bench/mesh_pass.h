@@ -5,7 +5,7 @@
 
 #include "common/error.h"
 #include "renderer/frame/gl_engine.h"
-#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 #include "renderer/gl/open_gl.h"
 
 namespace relief::bench_passes {

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/samples/samples.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

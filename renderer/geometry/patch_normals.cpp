@@ -7,7 +7,7 @@
 #include "common/octahedral.h"
 #include "common/patch_file/continuation.h"
 #include "renderer/geometry/node_texels.h"
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/samples/samples.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/error.h"
-#include "renderer/geometry/cells.h"
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/cells/cells.h"
+#include "renderer/geometry/samples/samples.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 

@@ -11,8 +11,8 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "renderer/geometry/levels.h"
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/cells/levels.h"
+#include "renderer/geometry/samples/samples.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/store/cell_store.h"

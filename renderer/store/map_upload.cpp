@@ -11,7 +11,7 @@
 
 #include "common/image/srgb.h"
 #include "common/octahedral.h"
-#include "renderer/geometry/patch_border.h"
+#include "renderer/geometry/cells/patch_border.h"
 #include "renderer/geometry/patch_normals.h"
 #include "shaders/include/shared.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/samples/samples.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 

@@ -275,10 +275,10 @@ RELIEF_CONST float kSetBackStep = 1.0f / 32.0f;
 RELIEF_CONST uint kStripRowShift = 5u;
 RELIEF_CONST uint kStripColumnMask = (1u << kStripRowShift) - 1u;
 
-/// A border cell (renderer/geometry/patch_border.h) is two words. The first: column and row of its
-/// lower left node in the part, plus one; the corners of its polygon (BorderPolygon::slots); how
-/// far it is set back, as a run. The second: of its edges how far from the sample to the hole the
-/// polygon reaches, a byte each, in steps of kBorderStep cells. It is drawn as a fan of three
+/// A border cell (renderer/geometry/cells/patch_border.h) is two words. The first: column and row
+/// of its lower left node in the part, plus one; the corners of its polygon (BorderPolygon::slots);
+/// how far it is set back, as a run. The second: of its edges how far from the sample to the hole
+/// the polygon reaches, a byte each, in steps of kBorderStep cells. It is drawn as a fan of three
 /// triangles, some of them empty.
 RELIEF_CONST uint kBorderSlotsShift = 16u;
 RELIEF_CONST uint kBorderSetBackShift = 24u;

@@ -9,7 +9,7 @@
 #include "common/bounds.h"
 #include "common/neighbours/neighbours.h"
 #include "preprocess/points/point_radii.h"
-#include "renderer/geometry/mesh_of_points.h"
+#include "renderer/geometry/meshes/mesh_of_points.h"
 
 namespace relief::experiment {
 namespace {

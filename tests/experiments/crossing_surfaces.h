@@ -3,8 +3,8 @@
 #pragma once
 
 #include "common/points.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 #include "renderer/geometry/splat_cloud.h"
-#include "renderer/geometry/triangle_mesh.h"
 
 namespace relief::experiment {
 

@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "common/scene/camera.h"
-#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 
 namespace relief::experiment {
 

@@ -14,7 +14,7 @@
 
 #include "common/mesh/mesh_normals.h"
 #include "preprocess/readers/read_points.h"
-#include "renderer/geometry/mesh_of_points.h"
+#include "renderer/geometry/meshes/mesh_of_points.h"
 #include "renderer/surfels/surfels.h"
 #include "tests/renderer/surfels/disc_coverage.h"
 #include "tests/renderer/surfels/sampled_surfaces.h"

@@ -6,7 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/vec3.hpp>
 
-#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 #include "tests/renderer/images.h"
 
 namespace relief::test {

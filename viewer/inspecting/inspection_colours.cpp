@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "common/image/srgb.h"
-#include "renderer/geometry/levels.h"
+#include "renderer/geometry/cells/levels.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

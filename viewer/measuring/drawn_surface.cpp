@@ -7,10 +7,10 @@
 #include <glm/vector_relational.hpp>
 
 #include "common/seams/cell_triangles.h"
-#include "renderer/geometry/border_cells.h"
-#include "renderer/geometry/cell_nodes.h"
-#include "renderer/geometry/patch_border.h"
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/cells/border_cells.h"
+#include "renderer/geometry/cells/cell_nodes.h"
+#include "renderer/geometry/cells/patch_border.h"
+#include "renderer/geometry/samples/samples.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -38,8 +38,8 @@ struct NodeRange {
 /// `range.first`; heights, steps and axes stay.
 [[nodiscard]] Patch window_of(const Patch& patch, const NodeRange& range);
 
-/// What engine `onepass` draws with cells (renderer/geometry/cells.h). Where there is a cell or a
-/// seam it hides the splats, whose depths are set back.
+/// What engine `onepass` draws with cells (renderer/geometry/cells/cells.h). Where there is a cell
+/// or a seam it hides the splats, whose depths are set back.
 struct DrawnTriangles {
   std::vector<GridTriangle> cells;
   std::vector<GridTriangle> splats;

@@ -9,7 +9,7 @@
 
 #include "common/legend/ticks.h"
 #include "common/scalars/colour_scale.h"
-#include "renderer/geometry/levels.h"
+#include "renderer/geometry/cells/levels.h"
 #include "viewer/inspecting/inspection_colours.h"
 #include "viewer/panels/panels.h"
 

@@ -13,7 +13,7 @@
 #include "common/progress.h"
 #include "renderer/engines/raytrace/embree.h"
 #include "renderer/engines/raytrace/meet_triangle.h"
-#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 
 namespace relief::raytrace {
 

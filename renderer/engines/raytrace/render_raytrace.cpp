@@ -15,7 +15,7 @@
 #include "renderer/engines/raytrace/sampling.h"
 #include "renderer/engines/raytrace/tracer.h"
 #include "renderer/frame/targets/film.h"
-#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/meshes/mesh_of_patches.h"
 #include "renderer/owned_or_borrowed.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/shading/materials.h"

@@ -7,7 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "renderer/engines/raytrace/embree_scene.h"
-#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 
 namespace relief::raytrace {
 

@@ -7,7 +7,7 @@
 
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/frame/targets/film.h"
-#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 #include "renderer/shading/shading.h"
 #include "renderer/view/view.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/geometry/cells.h"
+#include "renderer/geometry/cells/cells.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "common/seams/cell_triangles.h"
-#include "renderer/geometry/patch_border.h"
+#include "renderer/geometry/cells/patch_border.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/scenes.h"
 

@@ -1,5 +1,5 @@
 // Which pieces of a surface show a view nothing but their back sides.
-#include "renderer/geometry/facing.h"
+#include "renderer/geometry/cells/facing.h"
 
 #include <gtest/gtest.h>
 

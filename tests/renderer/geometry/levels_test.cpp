@@ -1,5 +1,5 @@
 // Coarser levels of patches: what they hold, which a view chooses, and their images.
-#include "renderer/geometry/levels.h"
+#include "renderer/geometry/cells/levels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The triangles that patches stand for, alone and against what `onepass` draws of them.
-#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/meshes/mesh_of_patches.h"
 
 #include <gtest/gtest.h>
 

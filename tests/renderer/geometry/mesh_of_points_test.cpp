@@ -1,5 +1,5 @@
 // Normals and colours of meshes as files give them.
-#include "renderer/geometry/mesh_of_points.h"
+#include "renderer/geometry/meshes/mesh_of_points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where patches end between their samples and holes.
-#include "renderer/geometry/patch_border.h"
+#include "renderer/geometry/cells/patch_border.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The surface of patches that meet at seams as one mesh.
-#include "renderer/geometry/points_of_patches.h"
+#include "renderer/geometry/meshes/points_of_patches.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "common/octahedral.h"
 #include "common/patch.h"
 #include "common/transform.h"
-#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/meshes/mesh_of_patches.h"
 
 namespace relief {
 namespace {

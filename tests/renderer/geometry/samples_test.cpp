@@ -1,4 +1,4 @@
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/samples/samples.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "common/octahedral.h"
 #include "renderer/engines/onepass/features.h"
 #include "renderer/frame/features.h"
-#include "renderer/geometry/levels.h"
+#include "renderer/geometry/cells/levels.h"
 #include "tests/renderer/images.h"
 #include "tests/renderer/meshes.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
-#include "renderer/geometry/levels.h"
+#include "renderer/geometry/cells/levels.h"
 #include "viewer/inspecting/inspection_colours.h"
 
 namespace relief {

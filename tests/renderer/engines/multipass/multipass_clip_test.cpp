@@ -9,7 +9,7 @@
 
 #include "renderer/clip/clip_partners.h"
 #include "renderer/clip/sample_discs.h"
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/samples/samples.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/clip/cubes.h"
 #include "tests/renderer/images.h"

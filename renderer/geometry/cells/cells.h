@@ -2,9 +2,9 @@
 #pragma once
 
 #include "common/patch.h"
-#include "renderer/geometry/cell_parts.h"
-#include "renderer/geometry/levels.h"
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/cells/cell_parts.h"
+#include "renderer/geometry/cells/levels.h"
+#include "renderer/geometry/samples/samples.h"
 
 namespace relief {
 

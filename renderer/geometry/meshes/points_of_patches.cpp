@@ -1,4 +1,4 @@
-#include "renderer/geometry/points_of_patches.h"
+#include "renderer/geometry/meshes/points_of_patches.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -9,7 +9,7 @@
 
 #include "common/disjoint_sets.h"
 #include "common/image/srgb.h"
-#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/meshes/mesh_of_patches.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/geometry/splat_reach.h"
+#include "renderer/geometry/samples/splat_reach.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "renderer/geometry/patch_border.h"
+#include "renderer/geometry/cells/patch_border.h"
 
 #include <algorithm>
 #include <cmath>

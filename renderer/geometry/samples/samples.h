@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/geometry/splat_reach.h"
+#include "renderer/geometry/samples/splat_reach.h"
 
 namespace relief {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/geometry/padded_heights.h"
+#include "renderer/geometry/samples/padded_heights.h"
 
 namespace relief {
 

@@ -4,8 +4,8 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "renderer/geometry/padded_heights.h"
-#include "renderer/geometry/splat_slopes.h"
+#include "renderer/geometry/samples/padded_heights.h"
+#include "renderer/geometry/samples/splat_slopes.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/meshes/mesh_of_patches.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,8 +12,8 @@
 #include "common/octahedral.h"
 #include "common/seams/cell_triangles.h"
 #include "common/seams/make_seams.h"
-#include "renderer/geometry/mesh_border.h"
-#include "renderer/geometry/mesh_vertices.h"
+#include "renderer/geometry/meshes/mesh_border.h"
+#include "renderer/geometry/meshes/mesh_vertices.h"
 #include "renderer/geometry/patch_normals.h"
 #include "renderer/geometry/proxy/proxy.h"
 #include "renderer/shading/materials.h"

@@ -1,4 +1,4 @@
-#include "renderer/geometry/mesh_of_points.h"
+#include "renderer/geometry/meshes/mesh_of_points.h"
 
 #include "common/image/srgb.h"
 #include "common/mesh/creases.h"

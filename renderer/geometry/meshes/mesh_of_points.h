@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/points.h"
-#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 
 namespace relief {
 

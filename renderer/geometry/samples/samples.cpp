@@ -1,4 +1,4 @@
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/samples/samples.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,9 +8,9 @@
 #include <glm/vec4.hpp>
 #include <limits>
 
-#include "renderer/geometry/padded_heights.h"
-#include "renderer/geometry/splat_reach.h"
-#include "renderer/geometry/splat_slopes.h"
+#include "renderer/geometry/samples/padded_heights.h"
+#include "renderer/geometry/samples/splat_reach.h"
+#include "renderer/geometry/samples/splat_slopes.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

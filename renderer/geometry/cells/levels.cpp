@@ -1,4 +1,4 @@
-#include "renderer/geometry/levels.h"
+#include "renderer/geometry/cells/levels.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "renderer/geometry/facing.h"
+#include "renderer/geometry/cells/facing.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "renderer/geometry/cells.h"
+#include "renderer/geometry/cells/cells.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "common/seams/cell_triangles.h"
-#include "renderer/geometry/border_cells.h"
-#include "renderer/geometry/cell_nodes.h"
+#include "renderer/geometry/cells/border_cells.h"
+#include "renderer/geometry/cells/cell_nodes.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

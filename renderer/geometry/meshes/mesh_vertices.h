@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/geometry/meshes/triangle_mesh.h"
 
 namespace relief {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "renderer/geometry/cell_nodes.h"
-#include "renderer/geometry/cell_parts.h"
-#include "renderer/geometry/patch_border.h"
+#include "renderer/geometry/cells/cell_nodes.h"
+#include "renderer/geometry/cells/cell_parts.h"
+#include "renderer/geometry/cells/patch_border.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/geometry/mesh_vertices.h"
+#include "renderer/geometry/meshes/mesh_vertices.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

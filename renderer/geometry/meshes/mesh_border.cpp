@@ -1,4 +1,4 @@
-#include "renderer/geometry/mesh_border.h"
+#include "renderer/geometry/meshes/mesh_border.h"
 
 #include <cmath>
 #include <glm/ext/vector_int2_sized.hpp>
@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "renderer/geometry/mesh_vertices.h"
-#include "renderer/geometry/patch_border.h"
+#include "renderer/geometry/cells/patch_border.h"
+#include "renderer/geometry/meshes/mesh_vertices.h"
 #include "renderer/geometry/patch_normals.h"
 #include "shaders/include/shared.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/geometry/padded_heights.h"
-#include "renderer/geometry/samples.h"
+#include "renderer/geometry/samples/padded_heights.h"
+#include "renderer/geometry/samples/samples.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/geometry/cell_nodes.h"
+#include "renderer/geometry/cells/cell_nodes.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <glm/ext/vector_uint2_sized.hpp>
 #include <glm/geometric.hpp>
 
-#include "renderer/geometry/splat_reach.h"
+#include "renderer/geometry/samples/splat_reach.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

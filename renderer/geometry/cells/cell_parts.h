@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/geometry/facing.h"
+#include "renderer/geometry/cells/facing.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-#include "renderer/geometry/splat_slopes.h"
+#include "renderer/geometry/samples/splat_slopes.h"
 
 #include <cmath>
 #include <glm/common.hpp>

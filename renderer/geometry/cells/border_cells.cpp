@@ -1,4 +1,4 @@
-#include "renderer/geometry/border_cells.h"
+#include "renderer/geometry/cells/border_cells.h"
 
 #include <algorithm>
 #include <array>
