@@ -36,7 +36,7 @@
 #include "common/io/extension.h"
 #include "common/io/file.h"
 #include "loader/load_scene.h"
-#include "loader/load_volume.h"
+#include "loader/models/load_volume.h"
 
 namespace relief::cli {
 namespace {

@@ -21,11 +21,11 @@
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
 #include "common/scene/camera_path.h"
-#include "loader/first_look.h"
 #include "loader/image_writer.h"
 #include "loader/load_scene.h"
-#include "loader/load_volume.h"
-#include "loader/view_settings.h"
+#include "loader/models/load_volume.h"
+#include "loader/scene/first_look.h"
+#include "loader/scene/view_settings.h"
 #include "renderer/costs/feature_costs.h"
 
 namespace relief::cli {

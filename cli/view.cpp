@@ -18,7 +18,7 @@
 #include "cli/options/values.h"
 #include "common/heap.h"
 #include "common/scene/scene.h"
-#include "loader/load_volume.h"
+#include "loader/models/load_volume.h"
 #include "loader/stream/streamed_patches.h"
 #ifdef RELIEF_HAS_VIEWER
 #include "viewer/viewer.h"

@@ -10,7 +10,7 @@ set(RELIEF_PUBLIC_HEADERS
   common/patch_file/patch_file.h common/patch_file/patch_tree.h common/patch_file/tree_tile.h common/points.h common/progress.h
   common/scene/scene.h common/transform.h common/version.h
   integrations/openmesh.h integrations/pcl.h
-  loader/load_files.h loader/load_scene.h loader/scene_plan.h loader/view_settings.h
+  loader/load_files.h loader/load_scene.h loader/scene/scene_plan.h loader/scene/view_settings.h
   preprocess/convert.h preprocess/convert_options.h preprocess/convert_tiles.h
   preprocess/normals/known_sides.h
   preprocess/readers/read_points.h preprocess/readers/read_result.h preprocess/tiles/tile_options.h

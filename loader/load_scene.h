@@ -12,8 +12,8 @@
 #include "common/points.h"
 #include "common/progress.h"
 #include "common/scene/scene.h"
-#include "loader/loaded_scene.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/loaded_scene.h"
+#include "loader/scene/scene_plan.h"
 #include "preprocess/convert_options.h"
 #include "preprocess/readers/selection.h"
 #include "preprocess/texture/acquisition/acquisition.h"
@@ -35,8 +35,8 @@ struct FormNeeds {
 using ViewsOf = std::function<Result<std::vector<RenderSettings>>(const PatchModel& extent)>;
 
 /// What is read of patch files, and kept of patches: all that there is; or what the views of a plan
-/// show, once complete_look() has completed them (loader/first_look.h). An unlit view shows no
-/// normals, a mirror no colours, a distant view no fine texels.
+/// show, once complete_look() has completed them (loader/scene/first_look.h). An unlit view shows
+/// no normals, a mirror no colours, a distant view no fine texels.
 enum class KeptDetail : std::uint8_t { All, OfViews };
 
 struct LoadOptions {
@@ -68,8 +68,8 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
                                 const PatchSections& sections = {});
 
 /// Loads the models that the views of a plan show, in the forms that their engines prefer. The
-/// views' settings follow by render_settings_of (loader/view_settings.h), with the scene's patches
-/// for the extent.
+/// views' settings follow by render_settings_of (loader/scene/view_settings.h), with the scene's
+/// patches for the extent.
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
                                Progress& progress, std::span<const EngineEntry> among = engines());
 

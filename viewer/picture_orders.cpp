@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "common/io/extension.h"
-#include "loader/render_command.h"
+#include "loader/command/render_command.h"
 
 namespace relief {
 namespace {

@@ -6,8 +6,8 @@
 #include "common/scene/view_camera.h"
 #include "common/transform.h"
 
-#include "loader/first_look.h"
-#include "loader/view_settings.h"
+#include "loader/scene/first_look.h"
+#include "loader/scene/view_settings.h"
 
 namespace relief {
 namespace {

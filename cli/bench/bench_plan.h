@@ -10,8 +10,8 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/progress.h"
-#include "loader/loaded_scene.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/loaded_scene.h"
+#include "loader/scene/scene_plan.h"
 #include "renderer/bench/bench.h"
 #include "renderer/engine_registry.h"
 

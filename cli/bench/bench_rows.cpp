@@ -7,7 +7,7 @@
 #include <cassert>
 
 #include "cli/reports/option_values.h"
-#include "loader/view_settings.h"
+#include "loader/scene/view_settings.h"
 
 namespace relief::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/scene_plan.h"
 #include "renderer/engine_registry.h"
 
 namespace relief::cli {

@@ -5,7 +5,7 @@
 
 #include "common/compare/compare.h"
 #include "common/median.h"
-#include "loader/load_volume.h"
+#include "loader/models/load_volume.h"
 #include "renderer/engine_checks.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/render.h"

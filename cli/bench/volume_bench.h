@@ -9,7 +9,7 @@
 #include "cli/bench/bench_rows.h"
 #include "common/error.h"
 #include "common/progress.h"
-#include "loader/loaded_scene.h"
+#include "loader/scene/loaded_scene.h"
 
 namespace relief::cli {
 

@@ -9,7 +9,7 @@
 #include "common/patch_file/patch_file.h"
 #include "common/scene/choices.h"
 #include "common/scene/option.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/scene_plan.h"
 #include "preprocess/convert_options.h"
 
 namespace relief::cli {

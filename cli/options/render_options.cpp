@@ -14,7 +14,7 @@
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
 #include "common/scene/camera_path.h"
-#include "loader/view_settings.h"
+#include "loader/scene/view_settings.h"
 #include "renderer/costs/feature_costs.h"
 
 namespace relief::cli {

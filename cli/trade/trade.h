@@ -12,7 +12,7 @@
 #include "cli/trade/trade_row.h"
 #include "common/error.h"
 #include "common/progress.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/scene_plan.h"
 
 namespace relief::cli {
 

@@ -13,7 +13,7 @@
 #include "cli/trade/trade_page.h"
 #include "common/io/extension.h"
 #include "common/io/file.h"
-#include "loader/load_volume.h"
+#include "loader/models/load_volume.h"
 #include "preprocess/raster/raster.h"
 
 namespace relief::cli {

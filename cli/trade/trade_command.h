@@ -7,7 +7,7 @@
 
 #include "cli/options/render_options.h"
 #include "cli/trade/trade_answers.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/scene_plan.h"
 
 namespace relief::cli {
 

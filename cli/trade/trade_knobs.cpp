@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "cli/bench/bench_engines.h"
-#include "loader/first_look.h"
+#include "loader/scene/first_look.h"
 #include "renderer/engine_registry.h"
 
 namespace relief::cli {

@@ -9,9 +9,9 @@
 #include "common/patch_file/patch_file.h"
 #include "common/progress.h"
 #include "common/seams/join_normals.h"
-#include "loader/assemble.h"
-#include "loader/colour_by.h"
-#include "loader/view_settings.h"
+#include "loader/models/assemble.h"
+#include "loader/models/colour_by.h"
+#include "loader/scene/view_settings.h"
 
 namespace relief {
 namespace {

@@ -17,8 +17,8 @@
 #include "common/scalars/colour_scale.h"
 #include "common/transform.h"
 #include "loader/load_scene.h"
-#include "loader/loaded_scene.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/loaded_scene.h"
+#include "loader/scene/scene_plan.h"
 #include "loader/stream/chunks.h"
 #include "renderer/store/pool/patch_chunk.h"
 

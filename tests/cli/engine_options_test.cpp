@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "loader/view_settings.h"
+#include "loader/scene/view_settings.h"
 #include "tests/cli/run_relief.h"
 #include "tests/renderer/engines/toy/entry.h"
 

@@ -1,5 +1,5 @@
 // The command line that stands for an image makes the same image, to the byte.
-#include "loader/render_command.h"
+#include "loader/command/render_command.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 
 #include "common/image/image_io.h"
 #include "common/image/srgb.h"
-#include "loader/command_words.h"
-#include "loader/first_look.h"
+#include "loader/command/command_words.h"
 #include "loader/load_scene.h"
-#include "loader/view_settings.h"
+#include "loader/scene/first_look.h"
+#include "loader/scene/view_settings.h"
 #include "renderer/render.h"
 #include "tests/cli/run_relief.h"
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/image/image_io.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/scene_plan.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {

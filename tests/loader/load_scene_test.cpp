@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "loader/load_files.h"
-#include "loader/view_settings.h"
+#include "loader/scene/view_settings.h"
 #include "models/knot_scan.h"
 #include "tests/common/patch_file/sample_models.h"
 

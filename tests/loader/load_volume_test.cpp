@@ -1,6 +1,6 @@
 // Volumes and 3D Gaussians from files: which files are some, which engine draws them, and where
 // they stand.
-#include "loader/load_volume.h"
+#include "loader/models/load_volume.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "loader/load_scene.h"
-#include "loader/view_settings.h"
+#include "loader/scene/view_settings.h"
 #include "models/knot_scan.h"
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/gaussians/gaussian_files.h"

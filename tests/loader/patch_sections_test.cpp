@@ -1,5 +1,5 @@
 // What is read of patch files: only what the views show.
-#include "loader/patch_sections.h"
+#include "loader/scene/patch_sections.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/patch_file/patch_tree.h"
-#include "loader/first_look.h"
 #include "loader/load_scene.h"
-#include "loader/view_settings.h"
+#include "loader/scene/first_look.h"
+#include "loader/scene/view_settings.h"
 #include "models/knot_scan.h"
 #include "renderer/render.h"
 #include "tests/common/patch_file/sample_models.h"

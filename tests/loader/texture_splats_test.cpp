@@ -1,5 +1,5 @@
 // Splats that keep the texture of a mesh or of points.
-#include "loader/texture_splats.h"
+#include "loader/models/texture_splats.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

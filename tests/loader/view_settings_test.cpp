@@ -1,4 +1,4 @@
-#include "loader/view_settings.h"
+#include "loader/scene/view_settings.h"
 
 #include <gtest/gtest.h>
 

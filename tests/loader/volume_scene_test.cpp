@@ -6,8 +6,8 @@
 
 #include "common/patch_file/patch_file.h"
 #include "loader/load_scene.h"
-#include "loader/load_volume.h"
-#include "loader/view_settings.h"
+#include "loader/models/load_volume.h"
+#include "loader/scene/view_settings.h"
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/gaussians/gaussian_files.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/scene/choices.h"
-#include "loader/loaded_scene.h"
+#include "loader/scene/loaded_scene.h"
 
 namespace relief {
 

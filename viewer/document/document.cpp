@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "common/io/extension.h"
-#include "loader/load_volume.h"
-#include "loader/scene_plan.h"
+#include "loader/models/load_volume.h"
+#include "loader/scene/scene_plan.h"
 
 namespace relief {
 namespace {

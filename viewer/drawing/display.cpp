@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/image/srgb.h"
-#include "loader/first_look.h"
+#include "loader/scene/first_look.h"
 #include "renderer/eye_dome.h"
 #include "viewer/choices/volume_choices.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "loader/loaded_scene.h"
+#include "loader/scene/loaded_scene.h"
 #include "loader/stream/streamed_patches.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/viewport.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "loader/loaded_scene.h"
+#include "loader/scene/loaded_scene.h"
 #include "viewer/session.h"
 
 namespace relief {

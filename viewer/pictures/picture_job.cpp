@@ -13,7 +13,7 @@
 #include "common/patch_file/patch_file.h"
 #include "common/scene/view_camera.h"
 #include "loader/image_writer.h"
-#include "loader/view_settings.h"
+#include "loader/scene/view_settings.h"
 #include "renderer/render.h"
 
 namespace relief {

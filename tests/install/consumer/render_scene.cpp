@@ -4,7 +4,7 @@
 
 #include <relief/common/image/image_io.h>
 #include <relief/loader/load_scene.h>
-#include <relief/loader/view_settings.h>
+#include <relief/loader/scene/view_settings.h>
 #include <relief/renderer/render.h>
 #include <filesystem>
 

@@ -19,7 +19,7 @@
 #include "common/image/srgb.h"
 #include "common/scalars/colour_map.h"
 #include "common/transform.h"
-#include "loader/colour_by.h"
+#include "loader/models/colour_by.h"
 #include "renderer/viewport.h"
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/loader/stream/sphere_tree.h"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "loader/first_look.h"
+#include "loader/scene/first_look.h"
 #include "loader/stream/tile_source.h"
 #include "renderer/render.h"
 #include "tests/loader/stream/sphere_tree.h"

@@ -10,9 +10,9 @@
 #include "common/patch_file/patch_file.h"
 #include "common/patch_file/patch_tree.h"
 #include "common/scene/view_camera.h"
-#include "loader/first_look.h"
-#include "loader/render_command.h"
-#include "loader/view_settings.h"
+#include "loader/command/render_command.h"
+#include "loader/scene/first_look.h"
+#include "loader/scene/view_settings.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {

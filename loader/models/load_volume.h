@@ -8,8 +8,8 @@
 #include "common/error.h"
 #include "common/progress.h"
 #include "common/scene/scene.h"
-#include "loader/loaded_scene.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/loaded_scene.h"
+#include "loader/scene/scene_plan.h"
 #include "preprocess/readers/selection.h"
 #include "preprocess/volumes/read_volume.h"
 

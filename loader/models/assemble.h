@@ -10,7 +10,7 @@
 
 #include "common/patch.h"
 #include "common/scene/scene.h"
-#include "loader/loaded_scene.h"
+#include "loader/scene/loaded_scene.h"
 
 namespace relief {
 

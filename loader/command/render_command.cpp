@@ -1,4 +1,4 @@
-#include "loader/render_command.h"
+#include "loader/command/render_command.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 
 #include "common/image/srgb.h"
 #include "common/scalars/scalar_names.h"
-#include "loader/command_words.h"
-#include "loader/first_look.h"
-#include "loader/view_settings.h"
+#include "loader/command/command_words.h"
+#include "loader/scene/first_look.h"
+#include "loader/scene/view_settings.h"
 #include "renderer/shading/materials.h"
 
 namespace relief {

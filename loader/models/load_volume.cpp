@@ -1,4 +1,4 @@
-#include "loader/load_volume.h"
+#include "loader/models/load_volume.h"
 
 #include <algorithm>
 #include <set>
@@ -10,7 +10,7 @@
 #include "common/patch_file/patch_file.h"
 #include "common/volume/move.h"
 #include "common/volume/transfer_function.h"
-#include "loader/view_settings.h"
+#include "loader/scene/view_settings.h"
 #include "preprocess/gaussians/read_gaussians.h"
 #include "preprocess/points/point_volume.h"
 #include "preprocess/raster/raster.h"

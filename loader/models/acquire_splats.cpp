@@ -1,4 +1,4 @@
-#include "loader/acquire_splats.h"
+#include "loader/models/acquire_splats.h"
 
 #include <fmt/format.h>
 

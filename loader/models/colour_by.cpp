@@ -1,4 +1,4 @@
-#include "loader/colour_by.h"
+#include "loader/models/colour_by.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

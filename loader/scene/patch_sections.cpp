@@ -1,11 +1,11 @@
-#include "loader/patch_sections.h"
+#include "loader/scene/patch_sections.h"
 
 #include <algorithm>
 #include <set>
 
 #include "common/patch_file/patch_tree.h"
-#include "loader/first_look.h"
-#include "loader/view_settings.h"
+#include "loader/scene/first_look.h"
+#include "loader/scene/view_settings.h"
 #include "renderer/frame/features.h"
 
 namespace relief {

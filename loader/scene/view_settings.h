@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/scene_plan.h"
 #include "renderer/engine_registry.h"
 #include "renderer/settings.h"
 

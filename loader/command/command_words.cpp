@@ -1,4 +1,4 @@
-#include "loader/command_words.h"
+#include "loader/command/command_words.h"
 
 #include <fmt/format.h>
 

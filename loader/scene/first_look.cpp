@@ -1,7 +1,7 @@
-#include "loader/first_look.h"
+#include "loader/scene/first_look.h"
 
 #include "common/image/srgb.h"
-#include "loader/view_settings.h"
+#include "loader/scene/view_settings.h"
 
 namespace relief {
 namespace {

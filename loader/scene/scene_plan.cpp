@@ -1,4 +1,4 @@
-#include "loader/scene_plan.h"
+#include "loader/scene/scene_plan.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "loader/texture_splats.h"
+#include "loader/models/texture_splats.h"
 
 #include <cmath>
 #include <limits>

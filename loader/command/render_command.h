@@ -10,8 +10,8 @@
 
 #include "common/error.h"
 #include "loader/load_scene.h"
-#include "loader/loaded_scene.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/loaded_scene.h"
+#include "loader/scene/scene_plan.h"
 #include "renderer/settings.h"
 
 namespace relief {

@@ -1,8 +1,8 @@
 // What a picture looks like where its user asked for nothing.
 #pragma once
 
-#include "loader/loaded_scene.h"
-#include "loader/scene_plan.h"
+#include "loader/scene/loaded_scene.h"
+#include "loader/scene/scene_plan.h"
 #include "renderer/settings.h"
 
 namespace relief {

@@ -1,10 +1,10 @@
-#include "loader/assemble.h"
+#include "loader/models/assemble.h"
 
 #include <iterator>
 #include <utility>
 
 #include "common/transform.h"
-#include "loader/load_volume.h"
+#include "loader/models/load_volume.h"
 #include "renderer/append.h"
 
 namespace relief {
