@@ -20,7 +20,7 @@
 #include "cli/reports/render_report.h"
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
-#include "common/scene/camera_path.h"
+#include "common/scene/views/camera_path.h"
 #include "loader/image_writer.h"
 #include "loader/load_scene.h"
 #include "loader/models/load_volume.h"

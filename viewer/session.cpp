@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/scene/view_camera.h"
+#include "common/scene/views/view_camera.h"
 #include "common/transform.h"
 
 #include "loader/scene/first_look.h"

@@ -13,7 +13,7 @@
 #include "common/image/film_file.h"
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
-#include "common/scene/camera_path.h"
+#include "common/scene/views/camera_path.h"
 #include "loader/scene/view_settings.h"
 #include "renderer/costs/feature_costs.h"
 

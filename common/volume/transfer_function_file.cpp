@@ -7,8 +7,8 @@
 
 #include "common/image/srgb.h"
 #include "common/io/file.h"
-#include "common/scene/json_text.h"
-#include "common/scene/json_values.h"
+#include "common/scene/json/json_text.h"
+#include "common/scene/json/json_values.h"
 #include "common/volume/transfer_function.h"
 
 namespace relief {

@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "common/scene/first_lights.h"
-#include "common/scene/view_camera.h"
+#include "common/scene/views/first_lights.h"
+#include "common/scene/views/view_camera.h"
 #include "renderer/shading/materials.h"
 #include "shaders/include/shared.h"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "common/scene/camera_path.h"
+#include "common/scene/views/camera_path.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "common/scene/standing_direction.h"
+#include "common/scene/views/standing_direction.h"
 
 namespace relief {
 

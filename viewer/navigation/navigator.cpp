@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/bounds.h"
-#include "common/scene/framing.h"
-#include "common/scene/view_camera.h"
+#include "common/scene/views/framing.h"
+#include "common/scene/views/view_camera.h"
 #include "viewer/navigation/anchor.h"
 #include "viewer/navigation/move.h"
 

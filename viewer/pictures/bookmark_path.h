@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/error.h"
-#include "common/scene/camera_path.h"
+#include "common/scene/views/camera_path.h"
 #include "viewer/navigation/bookmarks.h"
 
 namespace relief {

@@ -11,7 +11,7 @@
 #include "common/image/film_file.h"
 #include "common/io/extension.h"
 #include "common/patch_file/patch_file.h"
-#include "common/scene/view_camera.h"
+#include "common/scene/views/view_camera.h"
 #include "loader/image_writer.h"
 #include "loader/scene/view_settings.h"
 #include "renderer/render.h"

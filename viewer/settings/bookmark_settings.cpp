@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/scene/camera.h"
-#include "common/scene/json_text.h"
-#include "common/scene/vector_values.h"
+#include "common/scene/json/json_text.h"
+#include "common/scene/json/vector_values.h"
 #include "viewer/navigation/pose.h"
 #include "viewer/settings/paths.h"
 

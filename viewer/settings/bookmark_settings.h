@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "common/scene/json_values.h"
+#include "common/scene/json/json_values.h"
 #include "viewer/navigation/file_bookmarks.h"
 
 namespace relief {

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "common/scene/json_text.h"
-#include "common/scene/json_values.h"
+#include "common/scene/json/json_text.h"
+#include "common/scene/json/json_values.h"
 #include "viewer/settings/bookmark_settings.h"
 #include "viewer/settings/paths.h"
 

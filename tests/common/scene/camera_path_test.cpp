@@ -1,5 +1,5 @@
 // Camera paths: their files, and how the camera moves.
-#include "common/scene/camera_path.h"
+#include "common/scene/views/camera_path.h"
 
 #include <gtest/gtest.h>
 

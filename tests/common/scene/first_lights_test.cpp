@@ -1,4 +1,4 @@
-#include "common/scene/first_lights.h"
+#include "common/scene/views/first_lights.h"
 
 #include <gtest/gtest.h>
 

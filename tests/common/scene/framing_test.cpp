@@ -1,4 +1,4 @@
-#include "common/scene/framing.h"
+#include "common/scene/views/framing.h"
 
 #include <gtest/gtest.h>
 

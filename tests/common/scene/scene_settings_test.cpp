@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/scene/scene.h"
-#include "common/scene/view_camera.h"
+#include "common/scene/views/view_camera.h"
 
 namespace relief {
 namespace {

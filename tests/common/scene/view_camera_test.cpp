@@ -1,4 +1,4 @@
-#include "common/scene/view_camera.h"
+#include "common/scene/views/view_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "ball.h"
-#include "common/scene/framing.h"
 #include "common/scene/scene.h"
-#include "common/scene/view_camera.h"
+#include "common/scene/views/framing.h"
+#include "common/scene/views/view_camera.h"
 #include "viewer/navigation/transition.h"
 
 namespace relief {

@@ -9,7 +9,7 @@
 
 #include "common/patch_file/patch_file.h"
 #include "common/patch_file/patch_tree.h"
-#include "common/scene/view_camera.h"
+#include "common/scene/views/view_camera.h"
 #include "loader/command/render_command.h"
 #include "loader/scene/first_look.h"
 #include "loader/scene/view_settings.h"

@@ -1,4 +1,4 @@
-#include "common/scene/camera_path.h"
+#include "common/scene/views/camera_path.h"
 
 #include <algorithm>
 #include <cassert>

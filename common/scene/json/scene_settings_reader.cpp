@@ -1,4 +1,4 @@
-#include "common/scene/scene_settings_reader.h"
+#include "common/scene/json/scene_settings_reader.h"
 
 #include <fmt/ranges.h>
 
@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "common/image/srgb.h"
-#include "common/scene/lights_reader.h"
-#include "common/scene/vector_values.h"
+#include "common/scene/json/lights_reader.h"
+#include "common/scene/json/vector_values.h"
 
 namespace relief {
 namespace {

@@ -4,11 +4,11 @@
 #include <span>
 
 #include "common/io/file.h"
-#include "common/scene/camera_path.h"
-#include "common/scene/json_text.h"
-#include "common/scene/json_values.h"
+#include "common/scene/json/json_text.h"
+#include "common/scene/json/json_values.h"
+#include "common/scene/json/vector_values.h"
 #include "common/scene/scene.h"
-#include "common/scene/vector_values.h"
+#include "common/scene/views/camera_path.h"
 
 namespace relief {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/scene/json_values.h"
+#include "common/scene/json/json_values.h"
 #include "common/scene/light.h"
 
 namespace relief {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "common/io/file.h"
-#include "common/scene/json_text.h"
-#include "common/scene/json_values.h"
+#include "common/scene/json/json_text.h"
+#include "common/scene/json/json_values.h"
+#include "common/scene/json/scene_settings_reader.h"
+#include "common/scene/json/vector_values.h"
 #include "common/scene/scene.h"
-#include "common/scene/scene_settings_reader.h"
-#include "common/scene/vector_values.h"
 
 namespace relief {
 namespace {

@@ -1,9 +1,9 @@
-#include "common/scene/first_lights.h"
+#include "common/scene/views/first_lights.h"
 
 #include <array>
 
-#include "common/scene/standing_direction.h"
-#include "common/scene/view_camera.h"
+#include "common/scene/views/standing_direction.h"
+#include "common/scene/views/view_camera.h"
 
 namespace relief {
 namespace {

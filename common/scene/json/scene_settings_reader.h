@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/scene/json_values.h"
+#include "common/scene/json/json_values.h"
 #include "common/scene/scene.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-#include "common/scene/view_camera.h"
+#include "common/scene/views/view_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/extremes.h"
-#include "common/scene/framing.h"
+#include "common/scene/views/framing.h"
 
 namespace relief {
 namespace {

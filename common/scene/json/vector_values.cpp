@@ -1,4 +1,4 @@
-#include "common/scene/vector_values.h"
+#include "common/scene/json/vector_values.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "common/scene/json_text.h"
+#include "common/scene/json/json_text.h"
 
 #include <algorithm>
 #include <optional>

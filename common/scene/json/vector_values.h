@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "common/scene/camera.h"
-#include "common/scene/json_values.h"
+#include "common/scene/json/json_values.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "common/scene/json_values.h"
+#include "common/scene/json/json_values.h"
 
 #include <fmt/ranges.h>
 

@@ -1,6 +1,6 @@
-#include "common/scene/lights_reader.h"
+#include "common/scene/json/lights_reader.h"
 
-#include "common/scene/vector_values.h"
+#include "common/scene/json/vector_values.h"
 
 namespace relief {
 namespace {
