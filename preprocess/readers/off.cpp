@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "preprocess/readers/colours.h"
+#include "preprocess/readers/face_colours.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/readers.h"
 #include "preprocess/readers/text_cursor.h"
@@ -142,9 +143,27 @@ class OffReader {
                               ? static_cast<std::uint32_t>(index)
                               : kNoPoint);
       }
+      const std::size_t before = points_.triangles.size();
       append_polygon(corners, points_.triangles);
+      read_face_colour(before);
     }
+    face_colours_.give(points_);
     return {};
+  }
+
+  /// The rest of a face's line, if that is r g b and perhaps an opacity. It may also be nothing, or
+  /// an index into a map of colours that no file has.
+  void read_face_colour(std::size_t before) {
+    glm::vec3 colour{};
+    ColourNumbers numbers = ColourNumbers::Integer;
+    for (int channel = 0; channel < 3; ++channel) {
+      if (line_.at_line_end()) return;
+      if (line_.peek().find('.') != std::string_view::npos) numbers = ColourNumbers::Real;
+      double value = 0.0;
+      if (!line_.number(value)) return;
+      colour[channel] = static_cast<float>(value);
+    }
+    face_colours_.add(colour, numbers, before, points_.triangles.size());
   }
 
   const Source& source_;
@@ -153,6 +172,7 @@ class OffReader {
   OffKeyword keyword_;
   std::uint64_t vertices_ = 0;
   std::uint64_t faces_ = 0;
+  FaceColours face_colours_;
   Points points_;
 };
 

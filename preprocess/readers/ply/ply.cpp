@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "preprocess/readers/face_colours.h"
 #include "preprocess/readers/ply/ply_header.h"
 #include "preprocess/readers/ply/ply_textures.h"
 #include "preprocess/readers/ply/ply_values.h"
@@ -42,6 +44,7 @@ class PlyBody {
     }
     points_.stance = stance();
     textures_.give(header_.textures, points_);
+    colours_.give(points_);
     return std::move(points_);
   }
 
@@ -131,6 +134,7 @@ class PlyBody {
 
   /// Any other element: faces and strips are kept, the rest is skipped.
   Status read_lists(const PlyElement& element) {
+    const std::optional<ColourNumbers> colours = face_colours_of(element);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!values_.begin_element()) return failure(element, i);
       list_.clear();
@@ -143,6 +147,7 @@ class PlyBody {
         if (element.name == "tristrips") append_strips(list_, points_.triangles);
         if (element.name == "face") append_polygon(list_, points_.triangles);
         textures_.end_face(list_.size(), before, points_.triangles.size());
+        if (colours) colours_.add(colour_, *colours, before, points_.triangles.size());
       }
       if (!values_.end_element()) return failure(element, i);
       if (!meter_.advance_to(values_.offset())) return interrupted_error();
@@ -164,8 +169,41 @@ class PlyBody {
       if (!values_.value(property.type, value)) return false;
       textures_.set_number(value);
       return true;
+    } else if (const std::optional<glm::length_t> channel = colour_channel(name); face && channel) {
+      double value = 0.0;
+      if (!values_.value(property.type, value)) return false;
+      colour_[*channel] = static_cast<float>(value);
+      return true;
     }
     return skip_property(property);
+  }
+
+  /// 0 for red, 1 for green, 2 for blue.
+  static std::optional<glm::length_t> colour_channel(std::string_view name) {
+    switch (role_of(name)) {
+      case Red:
+        return 0;
+      case Green:
+        return 1;
+      case Blue:
+        return 2;
+      default:
+        return {};
+    }
+  }
+
+  /// The numbers of the colours of an element of faces; nothing if it has none.
+  static std::optional<ColourNumbers> face_colours_of(const PlyElement& element) {
+    if (element.name != "face") return {};
+    std::array<bool, 3> has{};
+    ColourNumbers numbers = ColourNumbers::Integer;
+    for (const PlyProperty& property : element.properties) {
+      const std::optional<glm::length_t> channel = colour_channel(property.name);
+      if (property.count_type || !channel) continue;
+      has[static_cast<std::size_t>(*channel)] = true;
+      if (is_real(property.type)) numbers = ColourNumbers::Real;
+    }
+    return has[0] && has[1] && has[2] ? std::optional(numbers) : std::nullopt;
   }
 
   template <class Take>
@@ -207,6 +245,8 @@ class PlyBody {
   Values values_;
   Points points_;
   PlyTextures textures_;
+  FaceColours colours_;
+  glm::vec3 colour_{0.0F};  ///< of the face
   std::vector<std::uint32_t> list_;
   bool impossible_list_ = false;
   bool has_vertices_ = false;  ///< they were read, or the sink has them

@@ -127,6 +127,19 @@ TEST(OffTest, ReadsTheAttributesThatTheKeywordStates) {
       << "integers are 0 to 255 however small";
 }
 
+TEST(OffTest, FacesHaveColours) {
+  const std::string square = "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const Points points =
+      read("a.off", square + "3 0 1 3 255 0 0\n4 0 1 2 3 0 0 255 128 # blue\n3 1 2 3 7\n");
+  ASSERT_EQ(points.materials.size(), 3U);
+  EXPECT_EQ(points.materials[1].colour, glm::vec3(0, 0, 1));
+  EXPECT_EQ(points.materials[2].colour, glm::vec3(1)) << "without a colour: white";
+  EXPECT_EQ(points.triangle_materials, (std::vector<std::uint32_t>{0, 1, 1, 2}));
+  EXPECT_EQ(
+      read("a.off", square + "3 0 1 3 0.0 1.0 0.0\n3 1 2 3 a b c\n3 0 1 2\n").materials[0].colour,
+      glm::vec3(0, 1, 0));
+}
+
 TEST(OffTest, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(
       error("a.off", "OFF\n2000000000 2000000000 0\n0 0 0\n"),

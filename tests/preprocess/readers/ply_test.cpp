@@ -167,6 +167,55 @@ TEST(PlyTest, APictureGoesOnVerticesWithTextureCoordinates) {
   EXPECT_EQ(texcoords_of(points, 0)[1], glm::vec2(1, 0));
 }
 
+TEST(PlyTest, FacesOfFewColoursHaveMaterials) {
+  const std::string_view rgb = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const std::string corners = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const auto file = [&](std::string_view of_faces, std::string_view faces) {
+    return header("ascii", vertices(4) + fmt::format("element face 2\nproperty list uchar int "
+                                                     "vertex_indices\n{}",
+                                                     of_faces)) +
+           corners + std::string(faces);
+  };
+  const Points points = read("a.ply", file(rgb, "4 0 1 2 3 255 0 0\n3 0 1 3 0 0 51\n"));
+  ASSERT_EQ(points.materials.size(), 2U);
+  EXPECT_EQ(points.materials[0].colour, glm::vec3(1, 0, 0));
+  EXPECT_NEAR(points.materials[1].colour.b, 0.0331F, 1e-4F) << "linear";
+  EXPECT_EQ(points.triangle_materials, (std::vector<std::uint32_t>{0, 0, 1}));
+  EXPECT_TRUE(points.colours.empty());
+  EXPECT_TRUE(
+      read("a.ply", file(rgb, "3 0 1 2 255 255 255\n3 0 1 3 255 255 255\n")).materials.empty())
+      << "white is no colour";
+  const std::string_view reals = "property float red\nproperty float green\nproperty float blue\n";
+  EXPECT_EQ(read("a.ply", file(reals, "3 0 1 2 0 1 0\n3 0 1 3 0 0.5 0\n")).materials[0].colour,
+            glm::vec3(0, 1, 0));
+  // Vertices' own colours come first.
+  const Points coloured =
+      read("a.ply",
+           header("ascii", vertices(3, rgb) + fmt::format("element face 1\nproperty list uchar int "
+                                                          "vertex_indices\n{}",
+                                                          rgb)) +
+               "0 0 0 1 2 3\n1 0 0 4 5 6\n1 1 0 7 8 9\n3 0 1 2 255 0 0\n");
+  EXPECT_EQ(coloured.colours[0], glm::u8vec3(1, 2, 3));
+  EXPECT_TRUE(coloured.materials.empty());
+}
+
+TEST(PlyTest, VerticesOfFacesOfManyColoursHaveTheirMean) {
+  // A strip of 400 triangles: the first is black, and each is a little lighter than the one before.
+  std::string text = header(
+      "ascii", vertices(402) +
+                   "element face 400\nproperty list uchar int vertex_indices\nproperty ushort "
+                   "red\nproperty ushort green\nproperty ushort blue\n");
+  for (int v = 0; v < 402; ++v) text += fmt::format("{} {} 0\n", v / 2, v % 2);
+  for (int f = 0; f < 400; ++f)
+    text += fmt::format("3 {} {} {} {} {} 0\n", f, f + 1, f + 2, 160 * f, 160 * (f % 7));
+  const Points points = read("a.ply", text);
+  EXPECT_TRUE(points.materials.empty());
+  ASSERT_EQ(points.colours.size(), 402U);
+  EXPECT_EQ(points.colours[0].r, 0);
+  // Of faces 98, 99 and 100.
+  EXPECT_EQ(points.colours[100].r, 160 * 99 * 255 / 65535 + 1) << "rounded up";
+}
+
 TEST(PlyTest, HeadersMayEndTheirLinesInAnyWay) {
   // The first byte of the body looks like a line end: 10 is the last byte of 0x0A...
   const float x = std::bit_cast<float>(0x3F80000AU);
