@@ -24,22 +24,19 @@ glm::dvec3 normal_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
   return patch.axes * glm::dvec3(unit_from_snorm16(texel_at(patch.normals, i, j)));
 }
 
-/// Fits a plane to the samples within two cells of a vertex, which at a border are few and on one
-/// side of it.
-void find_plane(const Patch& patch, BorderVertex& vertex) {
+/// Fits a plane to the samples within `reach` cells of a vertex, which at a border are few and on
+/// one side of it. Returns false if they are too few or in one row.
+bool find_plane(const Patch& patch, std::uint32_t reach, BorderVertex& vertex) {
   const std::uint32_t i = vertex.node % patch.width;
   const std::uint32_t j = vertex.node / patch.width;
-  constexpr std::uint32_t kReach = 2;
   constexpr int kFewest = 6;
   const double scale = patch.height_step / patch.spacing;
   const std::int32_t base = patch.at(i, j);
   int count = 0;
   glm::dvec3 sum(0.0);
   glm::dmat3 products(0.0);  // of u, v and the height, in cells
-  for (std::uint32_t y = j - std::min(j, kReach); y <= std::min(j + kReach, patch.height - 1);
-       ++y) {
-    for (std::uint32_t x = i - std::min(i, kReach); x <= std::min(i + kReach, patch.width - 1);
-         ++x) {
+  for (std::uint32_t y = j - std::min(j, reach); y <= std::min(j + reach, patch.height - 1); ++y) {
+    for (std::uint32_t x = i - std::min(i, reach); x <= std::min(i + reach, patch.width - 1); ++x) {
       if (patch.at(x, y) == kHole) continue;
       const glm::dvec3 p(static_cast<double>(x) - i, static_cast<double>(y) - j,
                          (patch.at(x, y) - base) * scale);
@@ -50,12 +47,11 @@ void find_plane(const Patch& patch, BorderVertex& vertex) {
       ++count;
     }
   }
-  vertex.plane_normal = patch.axes[2];
-  if (count < kFewest) return;
+  if (count < kFewest) return false;
   const double n = count;
   const glm::dmat3 c = products - glm::outerProduct(sum, sum) / n;
   const double determinant = c[0][0] * c[1][1] - c[0][1] * c[0][1];
-  if (!(determinant > 0.25 * n)) return;  // a single row
+  if (!(determinant > 0.25 * n)) return false;
   const double u = (c[2][0] * c[1][1] - c[2][1] * c[0][1]) / determinant;
   const double v = (c[2][1] * c[0][0] - c[2][0] * c[0][1]) / determinant;
   const double squares = std::max(c[2][2] - u * c[2][0] - v * c[2][1], 0.0);
@@ -64,6 +60,15 @@ void find_plane(const Patch& patch, BorderVertex& vertex) {
   constexpr double kOffLine = 0.24;
   vertex.plane_normal = patch.axes * normal;
   vertex.bend = std::sqrt(squares / n) * normal.z / kOffLine;
+  return true;
+}
+
+/// Fits a plane to the samples about a vertex: in the tip of a face, which has few, farther off.
+void find_plane(const Patch& patch, BorderVertex& vertex) {
+  constexpr std::uint32_t kReach = 2;
+  constexpr std::uint32_t kReachInTips = 4;
+  vertex.plane_normal = patch.axes[2];
+  if (!find_plane(patch, kReach, vertex)) find_plane(patch, kReachInTips, vertex);
 }
 
 bool is_beside_hole(const Patch& patch, std::uint32_t i, std::uint32_t j) {

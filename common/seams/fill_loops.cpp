@@ -44,7 +44,8 @@ Ear ear_at(const Loop& loop, std::size_t k) {
 /// Where the border goes on from `at`, which it has come to from `before`: to the first edge
 /// outward, counterclockwise, beyond the gap.
 std::optional<Vertex> next_along(const Front& front, Vertex before, Vertex at) {
-  const AnglesAbout angles(front.vertex(at), front.vertex(before).position);
+  const BorderVertex& middle = front.vertex(at);
+  const AnglesAbout angles(middle.position, middle.normal, front.vertex(before).position);
   std::optional<Vertex> next;
   double least = 5.0;
   for (const Front::Edge& edge : front.at(at)) {

@@ -15,10 +15,10 @@ std::uint64_t key_of(Front::Vertex from, Front::Vertex to) {
 
 }  // namespace
 
-AnglesAbout::AnglesAbout(const BorderVertex& middle, glm::dvec3 first) : middle_(middle.position) {
-  const glm::dvec3 along = first - middle.position;
-  x_ = along - glm::dot(along, middle.normal) * middle.normal;
-  y_ = glm::cross(middle.normal, x_);
+AnglesAbout::AnglesAbout(glm::dvec3 middle, glm::dvec3 normal, glm::dvec3 first) : middle_(middle) {
+  const glm::dvec3 along = first - middle;
+  x_ = along - glm::dot(along, normal) * normal;
+  y_ = glm::cross(normal, x_);
 }
 
 double AnglesAbout::to(glm::dvec3 position) const {

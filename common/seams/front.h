@@ -13,11 +13,11 @@
 
 namespace relief {
 
-/// Directions about a vertex, as numbers from 0 to 4 that grow with the angle from a first one,
-/// counterclockwise about its normal.
+/// Directions about a position, as numbers from 0 to 4 that grow with the angle from a first one,
+/// counterclockwise about a normal.
 class AnglesAbout {
  public:
-  AnglesAbout(const BorderVertex& middle, glm::dvec3 first);
+  AnglesAbout(glm::dvec3 middle, glm::dvec3 normal, glm::dvec3 first);
   [[nodiscard]] double to(glm::dvec3 position) const;
 
  private:

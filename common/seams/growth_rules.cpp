@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/cross.h"
+#include "common/seams/crease_between.h"
 
 namespace relief {
 namespace {
@@ -28,13 +29,17 @@ constexpr double kClosesOne = 0.8;
 constexpr double kClosesTwo = 0.4;
 // What is farther than this from a triangle's plane, in spacings, is another sheet.
 constexpr double kSheet = 0.6;
+// The cosine below which faces of a sharp edge count as no steeper: that of half a wedge of 35
+// degrees.
+constexpr double kSteepestFace = 0.3;
 
 using Vertex = Front::Vertex;
 using Edge = Front::Edge;
 
-/// Whether the corner at `v` of a triangle v, next, last lies in one gap of the border there.
-bool fits_gap(const Front& front, Vertex v, Vertex next, Vertex last) {
-  const AnglesAbout angles(front.vertex(v), front.vertex(next).position);
+/// Whether the corner at `v` of a triangle v, next, last lies in one gap of the border there, seen
+/// from `outward`.
+bool fits_gap(const Front& front, Vertex v, Vertex next, Vertex last, glm::dvec3 outward) {
+  const AnglesAbout angles(front.vertex(v).position, outward, front.vertex(next).position);
   const auto angle_of = [&](Vertex w) { return angles.to(front.vertex(w).position); };
   const double end = angle_of(last);
   if (!(end > 0.0 && end < 1.95)) return false;
@@ -69,30 +74,48 @@ bool fits_gap(const Front& front, Vertex v, Vertex next, Vertex last) {
   return ends_gap && begins_gap;
 }
 
+/// Whether outward_at_edge() of three vertices may be something. `apex`: normal of the third.
+bool may_be_at_edge(const BorderVertex& from, const BorderVertex& to, glm::dvec3 apex) {
+  // A little more, for rounding.
+  constexpr double kMayBe = kRightEdge + 1e-5;
+  return glm::dot(from.normal, apex) < kMayBe || glm::dot(to.normal, apex) < kMayBe ||
+         glm::dot(from.normal, to.normal) < kMayBe;
+}
+
 /// Whether a triangle to, from, apex may face the side of its edge's ends and have a circumscribed
 /// circle as small as `radius`. Spares most others, of which half are behind the edge, their square
 /// roots and what is to be known of their apex.
-bool may_be_good(const BorderVertex& from, const BorderVertex& to, glm::dvec3 apex, double radius) {
+bool may_be_good(const BorderVertex& from, const BorderVertex& to, const VertexGrid::Place& apex,
+                 double radius) {
   const glm::dvec3 a = from.position;
   const glm::dvec3 b = to.position;
-  const glm::dvec3 across = glm::cross(a - b, apex - b);
+  const glm::dvec3 across = glm::cross(a - b, apex.position - b);
   // The unit normal's cosines, which are to exceed kAgree, have the same signs.
   static_assert(kAgree > 0.0);
-  if (!(glm::dot(across, from.normal) > 0.0 && glm::dot(across, to.normal) > 0.0)) return false;
+  const bool faces_ends = glm::dot(across, from.normal) > 0.0 && glm::dot(across, to.normal) > 0.0;
+  if (!faces_ends && !may_be_at_edge(from, to, apex.normal)) return false;
   const auto squared = [](glm::dvec3 d) { return glm::dot(d, d); };
-  const double edges = squared(b - a) * squared(apex - b) * squared(a - apex);
+  const double edges = squared(b - a) * squared(apex.position - b) * squared(a - apex.position);
   // A little more, for rounding.
   return edges <= 1.001 * 4.0 * radius * radius * squared(across);
 }
 
-/// A triangle that may be added, and what lies over it.
+/// A triangle that may be added, and what lies over it: seen along its normal, or at an edge from
+/// where both faces are.
 class NewTriangle {
  public:
   NewTriangle(const Front& front, Vertex from, Vertex to, Vertex apex)
       : front_(front), corners_{to, from, apex}, sheet_(kSheet * front.vertex(from).spacing) {
     for (std::size_t k = 0; k < 3; ++k) p_[k] = front.vertex(corners_[k]).position;
     n_ = glm::normalize(glm::cross(p_[1] - p_[0], p_[2] - p_[0]));
-    x_ = glm::normalize(p_[1] - p_[0]);
+    if (const auto outward =
+            outward_at_edge(front.vertex(to), front.vertex(from), front.vertex(apex))) {
+      n_ = *outward;
+      // Faces are steep from there.
+      sheet_ /= std::max(glm::dot(n_, front.vertex(from).normal), kSteepestFace);
+    }
+    x_ = p_[1] - p_[0];
+    x_ = glm::normalize(x_ - glm::dot(x_, n_) * n_);
     y_ = glm::cross(n_, x_);
     for (std::size_t k = 0; k < 3; ++k) t_[k] = flat(p_[k]);
     middle_ = (p_[0] + p_[1] + p_[2]) / 3.0;
@@ -178,18 +201,23 @@ std::optional<double> GrowthRules::score_of(Vertex from, Vertex to, Vertex apex)
   if (!(shape.area > 1e-3 * ab * (bc + ca))) return {};
   if (!(shape.radius <= limit)) return {};
   const glm::dvec3 n = shape.normal;
-  if (!(glm::dot(n, a.normal) > kAgree && glm::dot(n, b.normal) > kAgree &&
-        glm::dot(n, c.normal) > kAgree))
-    return {};
+  const std::optional<glm::dvec3> outward = outward_at_edge(a, b, c);
+  const bool agrees = outward ? glm::dot(n, *outward) > kAgree
+                              : glm::dot(n, a.normal) > kAgree && glm::dot(n, b.normal) > kAgree &&
+                                    glm::dot(n, c.normal) > kAgree;
+  if (!agrees) return {};
   if (front_.is_used(from, apex) || front_.is_used(apex, to)) return {};
   const Edge* const base = front_.find(from, to);
   const Edge* const left = front_.find(apex, from);
   const Edge* const right = front_.find(to, apex);
+  // Triangles at a sharp edge may turn as far as its faces do.
   for (const Edge* const edge : {base, left, right}) {
-    if (edge != nullptr && glm::dot(edge->normal, n) < kFold) return {};
+    if (edge == nullptr || !(glm::dot(edge->normal, n) < kFold)) continue;
+    if (!outward || !(glm::dot(edge->normal, *outward) > kAgree)) return {};
   }
-  if (!fits_gap(front_, to, from, apex) || !fits_gap(front_, from, apex, to) ||
-      !fits_gap(front_, apex, to, from))
+  if (!fits_gap(front_, to, from, apex, outward.value_or(b.normal)) ||
+      !fits_gap(front_, from, apex, to, outward.value_or(a.normal)) ||
+      !fits_gap(front_, apex, to, from, outward.value_or(c.normal)))
     return {};
   const double factor = left != nullptr && right != nullptr   ? kClosesTwo
                         : left != nullptr || right != nullptr ? kClosesOne
@@ -241,7 +269,7 @@ std::optional<GrowthCandidate> GrowthRules::best_on(Vertex from, Vertex to) cons
   std::vector<GrowthCandidate> found;
   grid_.for_each_within(
       0.5 * (a.position + b.position), reach, [&](const VertexGrid::Place& place, double) {
-        if (may_be_good(a, b, place.position, largest)) {
+        if (may_be_good(a, b, place, largest)) {
           if (const std::optional<double> score = score_of(from, to, place.vertex))
             found.push_back({*score, from, to, place.vertex});
         }

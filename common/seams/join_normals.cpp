@@ -12,7 +12,7 @@
 #include "common/octahedral.h"
 #include "common/seams/border_mesh.h"
 #include "common/seams/cell_triangles.h"
-#include "common/seams/seam_vertices.h"
+#include "common/seams/crease_between.h"
 #include "common/seams/vertex_grid.h"
 
 namespace relief {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/seams/crease_between.h"
 #include "common/seams/flat_map.h"
 #include "common/seams/planes.h"
 
@@ -18,38 +19,8 @@ constexpr double kCreaseReach = 1.5;
 // Three planes have a common corner if their unit normals span this volume.
 constexpr double kCornerVolume = 0.3;
 
-// A crease turns the normal by this many times as much as the surface bends beside it.
-constexpr double kCreaseContrast = 3.0;
-
-// But a bore bends along its rim, not across it: where a sample has the normal of the plane through
-// it within 10 degrees, and bends by less than half a radian a cell, it is on no round edge.
-constexpr double kPlaneCosine = 0.985;
-constexpr double kBendOfPlane = 0.5;
-// Such samples may be on a wedge of 15 degrees. Sharper ones are two sides of a thin wall.
-constexpr double kSharpestWedge = -0.966;
-
 Plane plane_of(const BorderVertex& v) {
   return {v.position, v.plane_normal};
-}
-
-bool is_plane(const BorderVertex& v) {
-  return v.bend < kBendOfPlane && glm::dot(v.normal, v.plane_normal) > kPlaneCosine;
-}
-
-/// Whether the surface has a crease between two samples: a turn that is not that of a round
-/// feature.
-bool is_crease(const BorderVertex& a, const BorderVertex& b) {
-  if (glm::dot(a.plane_normal, b.plane_normal) > kCreaseCosine) return false;
-  if (is_plane(a) && is_plane(b)) return true;
-  const double spacings = glm::distance(a.position, b.position) / std::min(a.spacing, b.spacing);
-  const double beside = std::max(a.bend, b.bend) * std::max(spacings, 1.0);
-  return glm::distance(a.plane_normal, b.plane_normal) > kCreaseContrast * beside;
-}
-
-/// Whether it has one where planes through them meet.
-bool meet_at_crease(const BorderVertex& a, const BorderVertex& b) {
-  const double sharpest = is_plane(a) && is_plane(b) ? kSharpestWedge : -kCreaseCosine;
-  return is_crease(a, b) && glm::dot(a.plane_normal, b.plane_normal) > sharpest;
 }
 
 /// How far a seam vertex between them may move.

@@ -8,10 +8,6 @@
 
 namespace relief {
 
-/// Normals that turn by more than 40 degrees within the two spacings at most between two samples
-/// are those of two faces.
-inline constexpr double kCreaseCosine = 0.766;
-
 /// The position half-way between two samples on the surface that their normals describe: on the
 /// cubic through both [Vlachos 2001], or where their tangent planes meet if they turn by
 /// more than a smooth surface does.

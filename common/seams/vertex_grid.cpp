@@ -21,7 +21,8 @@ VertexGrid::VertexGrid(const std::vector<BorderVertex>& vertices,
   longest_edge_ = largest_spacing_ * std::sqrt(1.0 + kSteepestJoined * kSteepestJoined);
   cubes_ = CubeRuns(positions, 3.0 * spacing / static_cast<double>(vertices.size()));
   places_.reserve(positions.size());
-  for (const std::uint32_t k : cubes_.order()) places_.push_back({positions[k], held[k]});
+  for (const std::uint32_t k : cubes_.order())
+    places_.push_back({positions[k], vertices[held[k]].normal, held[k]});
 }
 
 }  // namespace relief

@@ -26,9 +26,10 @@ class VertexGrid {
   /// At least as long as any border edge that cells make.
   [[nodiscard]] double longest_edge() const { return longest_edge_; }
 
-  /// A vertex and its position.
+  /// A vertex, its position and its normal.
   struct Place {
     glm::dvec3 position{0.0};
+    glm::vec3 normal{0.0F};
     std::uint32_t vertex = 0;
   };
 

@@ -148,6 +148,51 @@ TEST(Seams, DoNotJoinTheTwoSidesOfAThinSheet) {
   EXPECT_TRUE(make_seams(patches).vertices.empty());
 }
 
+/// Half a plane that ends at the y axis, from which it leads `inward`, 8 wide and 16 long; grid
+/// lines are turned by an angle to that axis.
+Patch half_plane(glm::dvec3 inward, glm::dvec3 normal, double degrees) {
+  constexpr std::uint32_t kNodes = 30;
+  const double angle = glm::radians(degrees);
+  const glm::dvec3 u = std::cos(angle) * inward + std::sin(angle) * glm::cross(normal, inward);
+  const glm::dmat3 axes(u, glm::cross(normal, u), normal);
+  const glm::dvec3 origin = axes * glm::dvec3(-14.7, -14.7, 0.0);
+  Patch patch = flat_patch(0, 0, kNodes, kNodes, [&](std::uint32_t i, std::uint32_t j) {
+    const glm::dvec3 p = origin + axes * glm::dvec3(i, j, 0.0);
+    const double from_edge = glm::dot(p, inward);
+    return from_edge < 0.0 || from_edge > 8.0 || std::abs(p.y) > 8.0;
+  });
+  patch.origin = origin;
+  patch.axes = axes;
+  return patch;
+}
+
+TEST(Seams, AreSharpAtAcuteEdges) {
+  for (const double degrees : {100.0, 90.0, 70.5, 60.0, 45.0, 30.0, 20.0}) {
+    const double wedge = glm::radians(degrees);
+    const glm::dvec3 inward(-std::cos(wedge), 0.0, -std::sin(wedge));
+    const glm::dvec3 normal(std::sin(wedge), 0.0, -std::cos(wedge));
+    // Grid lines lead to the edge in other steps on its two sides.
+    const std::vector<Patch> patches{half_plane({-1, 0, 0}, {0, 0, 1}, 29.0),
+                                     half_plane(inward, normal, 11.0)};
+    const test::JoinedMesh mesh = test::joined_mesh(patches);
+    // Apart from where both end, by a step of their grids.
+    const auto is_inside = [](glm::dvec3 p) { return std::abs(p.y) < 6.5 && glm::length(p) < 6.5; };
+    double area = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+      const glm::dvec3 n = mesh.normal_of(t);
+      const glm::dvec3 middle =
+          (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0;
+      area += 0.5 * glm::length(n);
+      if (is_inside(middle)) {
+        EXPECT_GE(std::max(n.z, glm::dot(n, normal)), 0.999 * glm::length(n)) << degrees;
+      }
+    }
+    EXPECT_GT(area, 2 * 7.0 * 14.0) << degrees;
+    for (const auto& [from, to] : mesh.open_edges())
+      EXPECT_FALSE(is_inside(0.5 * (mesh.positions[from] + mesh.positions[to]))) << degrees;
+  }
+}
+
 BorderVertex vertex(glm::dvec3 position, glm::dvec3 normal, double bend) {
   return {.position = position, .normal = normal, .plane_normal = normal, .bend = bend};
 }
