@@ -22,9 +22,12 @@ struct CoarseScan {
   bool is_oriented = true;       ///< its triangles agree about which side is out
 };
 
-/// How many points a mesh with few of its own shall have: 70,000, or more if the spacing (world
-/// units; 0: none) asks for them.
+/// How many points a mesh with textures shall have: 70,000, or more if the spacing (world units; 0:
+/// none) asks for them.
 [[nodiscard]] std::size_t least_points(const Points& mesh, double spacing);
+
+/// The same of a scan's mesh: 35,000. 0 for one that has as many, and for bare points.
+[[nodiscard]] std::size_t least_points_of_scan(const Points& scan, double spacing);
 
 /// If `points` is a coarse or sharp mesh, takes it and leaves points spread over it in its place.
 /// Fails if its triangles have no area that they could lie on, or if the user interrupts.

@@ -13,6 +13,8 @@
 #include "common/guard.h"
 #include "common/mesh/coarse_mesh.h"
 #include "common/mesh/mesh_normals.h"
+#include "common/mesh/orient_triangles.h"
+#include "common/mesh/weld.h"
 #include "common/neighbours/neighbours.h"
 #include "preprocess/add_distances.h"
 #include "preprocess/clean_scan.h"
@@ -115,11 +117,17 @@ class MeshInTime {
   BackgroundTasks tasks_;
 };
 
-/// Adds points where triangles are large. Fails if a textured mesh has no area that they could lie
-/// on.
-Status add_points(Points& points, bool textured, double spacing, ConvertReport& report) {
-  if (textured) points.normals = vertex_normals(points);
-  report.points_added = densify_triangles(points, textured ? least_points(points, spacing) : 0);
+/// Turns triangles so that they agree about which side is out, and returns whether they do.
+bool triangles_agree(Points& points) {
+  std::vector<Triangle> welded = welded_triangles(points);
+  return orient_triangles(points, welded);
+}
+
+/// Adds points where triangles are large beside the spacing of the mesh, or of `least` points.
+/// Fails if a textured mesh has no area that they could lie on.
+Status add_points(Points& points, bool textured, std::size_t least, ConvertReport& report) {
+  if (textured || (least > 0 && triangles_agree(points))) points.normals = vertex_normals(points);
+  report.points_added = densify_triangles(points, least);
   if (textured && points.size() < kMinSurfacePoints)
     return make_error("the triangles have no area that points could be spread over");
   return {};
@@ -209,11 +217,15 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   RELIEF_TRY_ASSIGN(const std::optional<CoarseScan> coarse,
                     take_coarse_mesh(points, options.spacing, progress));
   const Points& mesh = coarse ? coarse->mesh : points;
+  // A mesh whose noise was removed has that of its points, and is measured where they were.
+  const std::size_t least = textured                ? least_points(points, options.spacing)
+                            : clean.scanned.empty() ? least_points_of_scan(points, options.spacing)
+                                                    : 0;
   if (coarse) {
     result.report.points_added = points.size();
     clean = {};
   } else {
-    RELIEF_TRY(add_points(points, textured, options.spacing, result.report));
+    RELIEF_TRY(add_points(points, textured, least, result.report));
   }
   if (!clean.scanned.empty()) {
     const auto added = static_cast<std::ptrdiff_t>(result.report.points_added);
@@ -267,7 +279,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
                              .mesh = mesh,
                              .sides = sides,
                              .scanned = clean.scanned.empty() ? points.positions : clean.scanned,
-                             .measured = textured || coarse ? points.size() : result.report.points,
+                             .measured = coarse || least > 0 ? points.size() : result.report.points,
                              .graph = graph,
                              .samples = samples,
                              .regions = regions,

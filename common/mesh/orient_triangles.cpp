@@ -124,4 +124,14 @@ void turn_triangle(Points& mesh, std::size_t triangle) {
     std::swap(mesh.corner_tangents[triangle][1], mesh.corner_tangents[triangle][2]);
 }
 
+bool orient_triangles(Points& mesh, std::vector<Triangle>& welded) {
+  const std::vector<std::uint8_t> turned = triangles_to_turn(mesh, welded);
+  for (std::size_t t = 0; t < turned.size(); ++t) {
+    if (turned[t] == 0) continue;
+    turn_triangle(mesh, t);
+    std::swap(welded[t][1], welded[t][2]);
+  }
+  return MeshEdges(mesh.size(), welded).misoriented() < kMaxMisoriented;
+}
+
 }  // namespace relief

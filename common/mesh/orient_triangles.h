@@ -20,4 +20,8 @@ namespace relief {
 /// Turns a triangle over, with what its corners have.
 void turn_triangle(Points& mesh, std::size_t triangle);
 
+/// Turns the triangles that triangles_to_turn() finds, in `welded`, too. Returns whether they agree
+/// then, but for a few (kMaxMisoriented).
+bool orient_triangles(Points& mesh, std::vector<Triangle>& welded);
+
 }  // namespace relief

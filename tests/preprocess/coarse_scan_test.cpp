@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -52,6 +53,35 @@ TEST(CoarseScan, ACubeIsSixPlanesThatMeetInItsEdgesAndCorners) {
     corners += at_one == 3 ? 1 : 0;
   }
   EXPECT_EQ(corners, 8U);
+}
+
+TEST(CoarseScan, ATetrahedronOfMixedTrianglesHasSharpEdges) {
+  Points mesh;
+  mesh.positions = {{0, 0, 0}, {0, 1, 1}, {1, 0, 1}, {1, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}};  // two face inward
+  const ConvertResult result = converted(mesh);
+  ASSERT_EQ(result.model.patches.size(), 4U);
+  EXPECT_TRUE(result.model.is_closed);
+  // Heights are multiples of a twentieth of a spacing.
+  EXPECT_LT(result.report.error_max, 0.025 * result.model.spacing);
+  // Above the faces: outward normals, and offsets from the middle.
+  const auto height_over_faces = [](glm::dvec3 p) {
+    const double third = 1.0 / std::sqrt(3.0);
+    glm::dvec4 heights;
+    const std::array<glm::dvec3, 4> normals{{{-third, -third, third},
+                                             {third, -third, -third},
+                                             {-third, third, -third},
+                                             glm::dvec3(third)}};
+    for (int f = 0; f < 4; ++f)
+      heights[f] = glm::dot(p - 0.5, normals[static_cast<std::size_t>(f)]) - third / 2.0;
+    return heights;
+  };
+  for (const SeamVertex& vertex : seams_of(result.model).vertices) {
+    const glm::dvec4 heights = glm::abs(height_over_faces(vertex.position));
+    int on_faces = 0;
+    for (int f = 0; f < 4; ++f) on_faces += heights[f] < 1e-9 ? 1 : 0;
+    EXPECT_GE(on_faces, 2);
+  }
 }
 
 TEST(CoarseScan, TheRimOfABoreIsRound) {

@@ -163,6 +163,40 @@ TEST(Convert, MakesASurfaceOfScanLinesFarApart) {
   }
 }
 
+/// A torus of quads that are halved, with radii 1 and 0.3.
+Points torus_mesh(std::uint32_t around, std::uint32_t across) {
+  Points mesh;
+  for (std::uint32_t i = 0; i < around; ++i) {
+    for (std::uint32_t j = 0; j < across; ++j) {
+      const double a = 2.0 * std::numbers::pi * i / around;
+      const double b = 2.0 * std::numbers::pi * j / across;
+      const double r = 1.0 + 0.3 * std::cos(b);
+      mesh.positions.emplace_back(r * std::cos(a), r * std::sin(a), 0.3 * std::sin(b));
+      const std::uint32_t next = (i + 1) % around * across;
+      const std::uint32_t after = (j + 1) % across;
+      mesh.triangles.push_back({i * across + j, next + j, next + after});
+      mesh.triangles.push_back({i * across + j, next + after, i * across + after});
+    }
+  }
+  return mesh;
+}
+
+TEST(Convert, AMeshOfFewPointsIsItsTriangles) {
+  Points mesh = torus_mesh(60, 24);
+  const ConvertResult result = must_convert(mesh);
+  EXPECT_GT(count_samples(result.model), 30'000U);
+  EXPECT_TRUE(result.model.is_closed);
+  // Triangles bend by 15 degrees from one to the next: a twentieth of a spacing is a height's step.
+  EXPECT_LT(result.report.error_rms, 0.05 * result.model.spacing);
+  // Whichever way its triangles are wound.
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
+    std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+  const ConvertResult turned = must_convert(mesh);
+  EXPECT_EQ(turned.model.patches.size(), result.model.patches.size());
+  EXPECT_EQ(count_samples(turned.model), count_samples(result.model));
+  EXPECT_TRUE(turned.model.is_closed);
+}
+
 TEST(Convert, LeavesVerticesOfMeshesAsTheyAreUnlessAsked) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0.0, 0.5);
