@@ -20,6 +20,8 @@
 #include "preprocess/clean_scan.h"
 #include "preprocess/coarse_scan.h"
 #include "preprocess/convert_stages.h"
+#include "preprocess/frame/working_frame.h"
+#include "preprocess/frame/working_unit.h"
 #include "preprocess/make_model.h"
 #include "preprocess/meeting.h"
 #include "preprocess/normals/closed_mesh.h"
@@ -34,8 +36,6 @@
 #include "preprocess/texture/files/load_textures.h"
 #include "preprocess/texture/maps/flat_triangles.h"
 #include "preprocess/thread_limit.h"
-#include "preprocess/working_frame.h"
-#include "preprocess/working_unit.h"
 
 namespace relief {
 namespace {

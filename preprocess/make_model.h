@@ -10,7 +10,7 @@
 #include "common/points.h"
 #include "common/progress.h"
 #include "preprocess/convert_options.h"
-#include "preprocess/measure.h"
+#include "preprocess/measure/measure.h"
 #include "preprocess/mesh_fit/mesh_sides.h"
 #include "preprocess/normals/crease_normals.h"
 #include "preprocess/resample/resample.h"

@@ -41,7 +41,7 @@ struct RenderSettings {
   std::filesystem::path environment;  ///< as load_environment takes it; for what reflects and as
                                       ///< backdrop
   /// How the environment stands, and by how much it is turned about its up direction
-  /// (renderer/shading/standing_cube.h).
+  /// (renderer/shading/environment/standing_cube.h).
   Stance environment_stance;
   double environment_rotation_degrees = 0.0;
   /// Linear RGB; none: alpha 0 where nothing is seen.

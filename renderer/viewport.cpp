@@ -13,7 +13,7 @@
 #include "renderer/frame/targets/attachments.h"
 #include "renderer/gl/drawing/saved_state.h"
 #include "renderer/gl/open_gl.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 
 namespace relief {
 namespace {

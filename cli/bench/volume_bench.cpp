@@ -9,7 +9,7 @@
 #include "renderer/engine_checks.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/render.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 
 namespace relief::cli {
 namespace {

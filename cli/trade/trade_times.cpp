@@ -6,7 +6,7 @@
 #include "common/median.h"
 #include "renderer/engine_registry.h"
 #include "renderer/gl/open_gl.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 
 namespace relief::cli {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
-#include "renderer/shading/environment_files.h"
+#include "renderer/shading/environment/environment_files.h"
 #include "renderer/shading/materials.h"
 
 namespace relief {

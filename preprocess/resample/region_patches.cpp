@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "preprocess/measure.h"
+#include "preprocess/measure/measure.h"
 #include "preprocess/resample/borders/scan_border.h"
 #include "preprocess/resample/borders/thin_borders.h"
 

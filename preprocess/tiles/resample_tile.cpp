@@ -8,7 +8,7 @@
 
 #include "common/seams/make_seams.h"
 #include "preprocess/convert_stages.h"
-#include "preprocess/measure.h"
+#include "preprocess/measure/measure.h"
 #include "preprocess/resample/region_patches.h"
 #include "preprocess/tiles/checkpoint.h"
 

@@ -9,10 +9,10 @@
 #include "common/io/standard_input.h"
 #include "common/neighbours/neighbours.h"
 #include "common/patch_file/scalar_table.h"
+#include "preprocess/frame/working_unit.h"
 #include "preprocess/points/chance_sample.h"
 #include "preprocess/tiles/checkpoint.h"
 #include "preprocess/tiles/scalar_survey.h"
-#include "preprocess/working_unit.h"
 
 namespace relief {
 namespace {

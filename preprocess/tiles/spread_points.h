@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "common/progress.h"
+#include "preprocess/frame/working_frame.h"
 #include "preprocess/tiles/scan_blocks.h"
 #include "preprocess/tiles/tile_files.h"
 #include "preprocess/tiles/tile_job.h"
-#include "preprocess/working_frame.h"
 
 namespace relief {
 

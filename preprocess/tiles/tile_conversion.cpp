@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "preprocess/convert_stages.h"
+#include "preprocess/frame/working_frame.h"
+#include "preprocess/frame/working_unit.h"
 #include "preprocess/normals/orient_sample.h"
 #include "preprocess/tiles/checkpoint.h"
 #include "preprocess/tiles/join_sheets.h"
 #include "preprocess/tiles/resample_tile.h"
 #include "preprocess/tiles/survey.h"
 #include "preprocess/tiles/tile_files.h"
-#include "preprocess/working_frame.h"
-#include "preprocess/working_unit.h"
 
 namespace relief {
 namespace {

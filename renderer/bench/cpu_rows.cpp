@@ -8,7 +8,7 @@
 
 #include "common/median.h"
 #include "renderer/engine_registry.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 
 namespace relief::bench_passes {
 namespace {

@@ -9,7 +9,7 @@
 #include "renderer/settings.h"
 #include "renderer/shading/lighting.h"
 #include "renderer/shading/materials.h"
-#include "renderer/store/map_upload.h"
+#include "renderer/store/maps/map_upload.h"
 #include "renderer/store/patch_store.h"
 #include "renderer/view/cull_mode.h"
 #include "shaders/include/shared.h"

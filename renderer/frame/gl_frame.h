@@ -15,7 +15,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/result.h"
-#include "renderer/shading/environment.h"
+#include "renderer/shading/environment/environment.h"
 #include "renderer/view/view.h"
 
 namespace relief {

@@ -7,11 +7,11 @@
 
 #include "renderer/frame/sample_draws.h"
 #include "renderer/geometry/proxy/proxy.h"
-#include "renderer/shading/cube_map.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/cube_map.h"
+#include "renderer/shading/environment/environment_cache.h"
+#include "renderer/shading/environment/rough_environment.h"
+#include "renderer/shading/environment/standing_cube.h"
 #include "renderer/shading/materials.h"
-#include "renderer/shading/rough_environment.h"
-#include "renderer/shading/standing_cube.h"
 #include "renderer/view/cull_mode.h"
 #include "renderer/view/uniforms.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "renderer/settings.h"
-#include "renderer/shading/environment_cache.h"
-#include "renderer/shading/standing_cube.h"
+#include "renderer/shading/environment/environment_cache.h"
+#include "renderer/shading/environment/standing_cube.h"
 #include "renderer/view/view.h"
 #include "shaders/include/shared.h"
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "renderer/store/map_upload.h"
+#include "renderer/store/maps/map_upload.h"
 
 namespace relief {
 namespace {

@@ -16,7 +16,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/store/cell_store.h"
-#include "renderer/store/map_bands.h"
+#include "renderer/store/maps/map_bands.h"
 #include "renderer/store/patch_store.h"
 #include "renderer/store/sample_pages.h"
 #include "renderer/store/store_limits.h"

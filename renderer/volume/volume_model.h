@@ -15,7 +15,7 @@
 #include "common/volume/spacing.h"
 #include "renderer/model.h"
 #include "renderer/settings.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 #include "renderer/shading/shading.h"
 #include "renderer/view/view.h"
 #include "renderer/volume/kernels/kernel_cloud.h"

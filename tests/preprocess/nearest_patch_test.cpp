@@ -1,4 +1,4 @@
-#include "preprocess/nearest_patch.h"
+#include "preprocess/measure/nearest_patch.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "preprocess/patch_distance.h"
+#include "preprocess/measure/patch_distance.h"
 
 namespace relief {
 namespace {

@@ -18,7 +18,7 @@
 #include "renderer/frame/targets/attachments.h"
 #include "renderer/frame/targets/targets.h"
 #include "renderer/gl/open_gl.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 #include "renderer/store/collected_store.h"
 #include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/images.h"

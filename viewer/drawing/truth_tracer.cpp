@@ -8,7 +8,7 @@
 #include "common/patch_file/patch_file.h"
 #include "preprocess/raster/raster.h"
 #include "renderer/engine_registry.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 
 namespace relief {
 

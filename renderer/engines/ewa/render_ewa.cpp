@@ -15,7 +15,7 @@
 #include "renderer/frame/targets/film.h"
 #include "renderer/geometry/splats_of_samples.h"
 #include "renderer/owned_or_borrowed.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 #include "renderer/view/view.h"
 
 namespace relief::ewa {

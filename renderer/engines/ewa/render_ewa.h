@@ -11,7 +11,7 @@
 #include "renderer/engines/ewa/splat_hierarchy.h"
 #include "renderer/result.h"
 #include "renderer/settings.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 
 namespace relief::ewa {
 

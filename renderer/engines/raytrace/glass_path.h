@@ -6,7 +6,7 @@
 #include "common/scene/material.h"
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/geometry/meshes/triangle_mesh.h"
-#include "renderer/shading/standing_cube.h"
+#include "renderer/shading/environment/standing_cube.h"
 
 namespace relief::raytrace {
 

@@ -17,7 +17,7 @@
 #include "renderer/frame/targets/film.h"
 #include "renderer/geometry/meshes/mesh_of_patches.h"
 #include "renderer/owned_or_borrowed.h"
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::raytrace {

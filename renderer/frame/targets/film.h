@@ -11,8 +11,8 @@
 
 #include "common/image/image.h"
 #include "renderer/settings.h"
-#include "renderer/shading/environment_cache.h"
-#include "renderer/shading/standing_cube.h"
+#include "renderer/shading/environment/environment_cache.h"
+#include "renderer/shading/environment/standing_cube.h"
 #include "renderer/view/view.h"
 
 namespace relief {

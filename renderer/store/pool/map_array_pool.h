@@ -8,8 +8,8 @@
 #include "common/error.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/store/map_bands.h"
-#include "renderer/store/map_upload.h"
+#include "renderer/store/maps/map_bands.h"
+#include "renderer/store/maps/map_upload.h"
 #include "renderer/store/pool/spans.h"
 
 namespace relief {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "preprocess/convert.h"
-#include "preprocess/working_unit.h"
+#include "preprocess/frame/working_unit.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {

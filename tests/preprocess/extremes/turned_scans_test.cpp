@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "preprocess/convert.h"
-#include "preprocess/working_frame.h"
+#include "preprocess/frame/working_frame.h"
 #include "tests/preprocess/extremes/turned_scans.h"
 #include "tests/preprocess/surfaces.h"
 

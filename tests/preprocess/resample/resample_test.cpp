@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "common/octahedral.h"
-#include "preprocess/measure.h"
+#include "preprocess/measure/measure.h"
 #include "preprocess/resample/attributes/attributes.h"
 #include "tests/preprocess/prepared.h"
 #include "tests/preprocess/surfaces.h"

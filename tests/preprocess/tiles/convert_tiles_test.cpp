@@ -9,7 +9,7 @@
 
 #include "common/octahedral.h"
 #include "preprocess/convert.h"
-#include "preprocess/measure.h"
+#include "preprocess/measure/measure.h"
 #include "preprocess/tiles/spread_points.h"
 #include "tests/common/patch_file/read_whole.h"
 #include "tests/common/patch_file/sample_models.h"

@@ -9,7 +9,7 @@
 #include "renderer/bench/shading_bound.h"
 #include "renderer/geometry/splats_of_samples.h"
 #include "renderer/render.h"
-#include "renderer/store/atlas.h"
+#include "renderer/store/maps/atlas.h"
 #include "renderer/view/draw_list.h"
 #include "tests/renderer/meshes.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/gl/shader/feature_names.h"
-#include "renderer/store/atlas.h"
+#include "renderer/store/maps/atlas.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/images.h"
 

@@ -1,5 +1,5 @@
 // The surroundings as the CPU looks them up: directions, edges, convention, and against OpenGL.
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // An environment is decoded once.
-#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/environment/environment_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Environments of six files: which files, where their faces lie, and what is wrong with some.
-#include "renderer/shading/environment_files.h"
+#include "renderer/shading/environment/environment_files.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "common/image/image_io.h"
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 
 namespace relief::test {
 

@@ -1,5 +1,5 @@
 // What surfaces scatter of an environment, against integrals over all of it.
-#include "renderer/shading/irradiance.h"
+#include "renderer/shading/environment/irradiance.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "renderer/shading/standing_cube.h"
+#include "renderer/shading/environment/standing_cube.h"
 #include "shaders/include/shading.h"
 #include "tests/renderer/shading/environments.h"
 

@@ -1,5 +1,5 @@
 // What rough mirrors reflect, against integrals over the whole environment.
-#include "renderer/shading/rough_environment.h"
+#include "renderer/shading/environment/rough_environment.h"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>

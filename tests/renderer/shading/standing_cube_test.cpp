@@ -10,7 +10,7 @@
 
 #include "common/image/srgb.h"
 #include "common/transform.h"
-#include "renderer/shading/standing_cube.h"
+#include "renderer/shading/environment/standing_cube.h"
 #include "tests/renderer/images.h"
 #include "tests/renderer/shading/environment_file.h"
 #include "tests/renderer/view/orthographic.h"

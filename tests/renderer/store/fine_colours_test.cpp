@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "renderer/frame/features.h"
-#include "renderer/store/atlas.h"
+#include "renderer/store/maps/atlas.h"
 #include "tests/renderer/images.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-#include "renderer/store/strip_packer.h"
+#include "renderer/store/maps/strip_packer.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "common/image/image_io.h"
 #include "renderer/bench/bench.h"
 #include "renderer/frame/features.h"
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 #include "tests/renderer/meshes.h"
 #include "tests/renderer/view/orthographic.h"
 

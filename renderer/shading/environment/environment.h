@@ -8,7 +8,7 @@
 #include "renderer/gl/drawing/pass.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 
 namespace relief {
 

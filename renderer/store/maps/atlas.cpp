@@ -1,4 +1,4 @@
-#include "renderer/store/atlas.h"
+#include "renderer/store/maps/atlas.h"
 
 #include <algorithm>
 #include <numeric>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/store/atlas.h"
+#include "renderer/store/maps/atlas.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/nearest_patch.h"
+#include "preprocess/measure/nearest_patch.h"
 
 #include <tbb/parallel_for.h>
 
@@ -12,7 +12,7 @@
 #include <limits>
 #include <numeric>
 
-#include "preprocess/patch_distance.h"
+#include "preprocess/measure/patch_distance.h"
 
 namespace relief {
 namespace {

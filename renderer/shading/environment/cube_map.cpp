@@ -1,4 +1,4 @@
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 
 #include <algorithm>
 #include <cmath>

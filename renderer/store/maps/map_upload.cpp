@@ -1,4 +1,4 @@
-#include "renderer/store/map_upload.h"
+#include "renderer/store/maps/map_upload.h"
 
 #include <algorithm>
 #include <bit>

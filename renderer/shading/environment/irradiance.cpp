@@ -1,4 +1,4 @@
-#include "renderer/shading/irradiance.h"
+#include "renderer/shading/environment/irradiance.h"
 
 #include <cmath>
 #include <cstddef>

@@ -28,8 +28,8 @@ struct WorkingFrame {
 // From the world frame to a working one.
 
 /// Moves all positions and directions of a scan, and keeps triangles counter-clockwise; positions
-/// are in working units (preprocess/working_unit.h). How the scan stands remains as it is in the
-/// world.
+/// are in working units (preprocess/frame/working_unit.h). How the scan stands remains as it is in
+/// the world.
 void to_working_frame(const WorkingFrame& frame, Points& points);
 [[nodiscard]] SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side);
 [[nodiscard]] glm::dvec3 to_working_frame(const WorkingFrame& frame, const glm::dvec3& position);

@@ -1,4 +1,4 @@
-#include "renderer/shading/rough_environment.h"
+#include "renderer/shading/environment/rough_environment.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <glm/gtc/constants.hpp>
 #include <vector>
 
-#include "renderer/shading/make_cube.h"
+#include "renderer/shading/environment/make_cube.h"
 
 namespace relief {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 
 namespace relief {
 

@@ -11,7 +11,7 @@
 #include "common/patch.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/store/atlas.h"
+#include "renderer/store/maps/atlas.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/shading/cross_cube.h"
+#include "renderer/shading/environment/cross_cube.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/measure.h"
+#include "preprocess/measure/measure.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -9,8 +9,8 @@
 #include <limits>
 #include <optional>
 
-#include "preprocess/nearest_patch.h"
-#include "preprocess/patch_distance.h"
+#include "preprocess/measure/nearest_patch.h"
+#include "preprocess/measure/patch_distance.h"
 
 namespace relief {
 namespace {

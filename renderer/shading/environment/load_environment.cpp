@@ -8,10 +8,10 @@
 #include <glm/gtc/constants.hpp>
 
 #include "common/image/image_io.h"
-#include "renderer/shading/cross_cube.h"
-#include "renderer/shading/cube_map.h"
-#include "renderer/shading/environment_files.h"
-#include "renderer/shading/make_cube.h"
+#include "renderer/shading/environment/cross_cube.h"
+#include "renderer/shading/environment/cube_map.h"
+#include "renderer/shading/environment/environment_files.h"
+#include "renderer/shading/environment/make_cube.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <glm/vec4.hpp>
 
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/store/map_bands.h"
+#include "renderer/store/maps/map_bands.h"
 
 #include <algorithm>
 #include <cstring>
@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "renderer/store/map_upload.h"
-#include "renderer/store/strip_packer.h"
+#include "renderer/store/maps/map_upload.h"
+#include "renderer/store/maps/strip_packer.h"
 
 namespace relief {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 
 namespace relief {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/working_frame.h"
+#include "preprocess/frame/working_frame.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

@@ -17,8 +17,8 @@ class NearestPatch {
   /// Keeps a reference to the patches.
   explicit NearestPatch(const std::vector<Patch>& patches);
 
-  /// Returns the smallest distance_to_patch (preprocess/patch_distance.h) of a point, or `best` if
-  /// no patch is nearer. World units. Equal to trying all of them.
+  /// Returns the smallest distance_to_patch (preprocess/measure/patch_distance.h) of a point, or
+  /// `best` if no patch is nearer. World units. Equal to trying all of them.
   [[nodiscard]] double distance(glm::dvec3 point, double best) const;
 
  private:

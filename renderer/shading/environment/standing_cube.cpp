@@ -1,4 +1,4 @@
-#include "renderer/shading/standing_cube.h"
+#include "renderer/shading/environment/standing_cube.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

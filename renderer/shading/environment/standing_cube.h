@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "renderer/settings.h"
-#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment/cube_map.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

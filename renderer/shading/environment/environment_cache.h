@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "common/error.h"
-#include "renderer/shading/cube_map.h"
-#include "renderer/shading/irradiance.h"
-#include "renderer/shading/rough_environment.h"
+#include "renderer/shading/environment/cube_map.h"
+#include "renderer/shading/environment/irradiance.h"
+#include "renderer/shading/environment/rough_environment.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/working_unit.h"
+#include "preprocess/frame/working_unit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/shading/environment_files.h"
+#include "renderer/shading/environment/environment_files.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include "common/neighbours/neighbours.h"
 #include "common/patch.h"
 #include "common/seams/seam_distances.h"
-#include "preprocess/patch_distance.h"
+#include "preprocess/measure/patch_distance.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/shading/environment.h"
+#include "renderer/shading/environment/environment.h"
 
 #include <bit>
 
