@@ -27,11 +27,11 @@ constexpr double kMostAskedFor = 2e6;
 // 0.17, 44.7, 0.16; 35,000: 48.8, 0.26, 46.4, 0.26; 70,000: 50.6, 0.45, 48.2, 0.45. As scans they
 // have 41.4, 0.07 and 35.7, 0.1.
 constexpr std::size_t kFewestPointsOfSharp = 35'000;
+constexpr std::size_t kPerPointOfSharp = 3;
 // Of the mesh of a scan. PSNR, holes in pixels and seconds of a cow (2,903 points) and the Dragon
 // (5,205): as they are 37.1, 3,417, 0.09 and 35.7, 4,425, 0.15; 35,000: 45.2, 54, 0.7 and 39.6,
 // 1,540, 0.8; 70,000: 46.1, 18, 1.3 and 41.4, 588, 1.5.
 constexpr std::size_t kFewestPointsOfScan = 35'000;
-constexpr std::size_t kPerPointOfSharp = 3;
 // Eight by eight on a face of a box, of which a town has thousands.
 constexpr std::size_t kPointsPerSide = 64;
 // The share of points on sides of a few points; with more, creases are no order that patches could

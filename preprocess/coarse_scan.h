@@ -26,7 +26,8 @@ struct CoarseScan {
 /// none) asks for them.
 [[nodiscard]] std::size_t least_points(const Points& mesh, double spacing);
 
-/// The same of a scan's mesh: 35,000. 0 for one that has as many, and for bare points.
+/// How many points the mesh of a scan shall have: 35,000, or more if the spacing asks for them. 0
+/// if it has as many already, and for bare points.
 [[nodiscard]] std::size_t least_points_of_scan(const Points& scan, double spacing);
 
 /// If `points` is a coarse or sharp mesh, takes it and leaves points spread over it in its place.

@@ -14,7 +14,6 @@
 #include "common/mesh/coarse_mesh.h"
 #include "common/mesh/mesh_normals.h"
 #include "common/mesh/orient_triangles.h"
-#include "common/mesh/weld.h"
 #include "common/neighbours/neighbours.h"
 #include "preprocess/add_distances.h"
 #include "preprocess/clean_scan.h"
@@ -117,16 +116,18 @@ class MeshInTime {
   BackgroundTasks tasks_;
 };
 
-/// Turns triangles so that they agree about which side is out, and returns whether they do.
-bool triangles_agree(Points& points) {
-  std::vector<Triangle> welded = welded_triangles(points);
-  return orient_triangles(points, welded);
+/// How many points a scan is to have at least, so that its triangles tell where its surface is; 0:
+/// those that it has. `is_moved`: its noise was removed.
+std::size_t least_points_of(const Points& points, bool textured, bool is_moved, double spacing) {
+  if (textured) return least_points(points, spacing);
+  // Noise is measured of the points that were scanned.
+  return is_moved ? 0 : least_points_of_scan(points, spacing);
 }
 
 /// Adds points where triangles are large beside the spacing of the mesh, or of `least` points.
 /// Fails if a textured mesh has no area that they could lie on.
 Status add_points(Points& points, bool textured, std::size_t least, ConvertReport& report) {
-  if (textured || (least > 0 && triangles_agree(points))) points.normals = vertex_normals(points);
+  if (textured || (least > 0 && orient_triangles(points))) points.normals = vertex_normals(points);
   report.points_added = densify_triangles(points, least);
   if (textured && points.size() < kMinSurfacePoints)
     return make_error("the triangles have no area that points could be spread over");
@@ -217,10 +218,8 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   RELIEF_TRY_ASSIGN(const std::optional<CoarseScan> coarse,
                     take_coarse_mesh(points, options.spacing, progress));
   const Points& mesh = coarse ? coarse->mesh : points;
-  // A mesh whose noise was removed has that of its points, and is measured where they were.
-  const std::size_t least = textured                ? least_points(points, options.spacing)
-                            : clean.scanned.empty() ? least_points_of_scan(points, options.spacing)
-                                                    : 0;
+  const std::size_t least =
+      least_points_of(points, textured, !clean.scanned.empty(), options.spacing);
   if (coarse) {
     result.report.points_added = points.size();
     clean = {};

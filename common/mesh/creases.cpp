@@ -10,7 +10,6 @@
 namespace relief {
 namespace {
 
-constexpr double kCreaseCosine = 0.766;  // 40 degrees
 constexpr std::uint32_t kNone = UINT32_MAX;
 
 /// Of each triangle, twice its area times its unit normal.
@@ -50,25 +49,16 @@ struct Crease {
 
 /// Finds the creases, and counts the edges that could be one.
 std::vector<Crease> find_creases(const Points& mesh, std::size_t& edge_count) {
-  if (mesh.triangles.empty()) return {};  // the table has no edges to ask for
   const std::vector<glm::dvec3> normals = area_normals(mesh);
-  const MeshEdges edges(mesh);
   std::vector<Crease> creases;
-  for (std::uint32_t p = 0; p < mesh.size(); ++p) {
-    const std::span<const EdgeUse> uses = edges.of(p);
-    for (std::size_t first = 0, end = 0; first < uses.size(); first = end) {
-      while (end < uses.size() && uses[end].greater == uses[first].greater) ++end;
-      if (end - first != 2) continue;
-      const EdgeUse& a = uses[first];
-      const EdgeUse& b = uses[first + 1];
-      const glm::dvec3 n = normals[a.triangle];
-      const glm::dvec3 m = a.forward != b.forward ? normals[b.triangle] : -normals[b.triangle];
-      const double lengths = glm::length(n) * glm::length(m);
-      if (!(lengths > 0.0)) continue;
-      ++edge_count;
-      if (glm::dot(n, m) < kCreaseCosine * lengths) creases.push_back({p, a.greater});
-    }
-  }
+  MeshEdges(mesh).for_each_of_two([&](std::uint32_t p, const EdgeUse& a, const EdgeUse& b) {
+    const glm::dvec3 n = normals[a.triangle];
+    const glm::dvec3 m = a.forward != b.forward ? normals[b.triangle] : -normals[b.triangle];
+    const double lengths = glm::length(n) * glm::length(m);
+    if (!(lengths > 0.0)) return;
+    ++edge_count;
+    if (glm::dot(n, m) < kCreaseCosine * lengths) creases.push_back({p, a.greater});
+  });
   return creases;
 }
 

@@ -8,6 +8,9 @@
 
 namespace relief {
 
+/// Normals that turn by more than 40 degrees are those of two faces.
+inline constexpr double kCreaseCosine = 0.766;
+
 /// Returns the side of each triangle, a number: sides are connected by edges that are no creases.
 /// A crease that ends within a surface parts no sides.
 [[nodiscard]] std::vector<std::uint32_t> sides_of_triangles(const Points& mesh);

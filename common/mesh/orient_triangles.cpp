@@ -5,15 +5,17 @@
 #include <utility>
 
 #include "common/mesh/mesh_edges.h"
+#include "common/mesh/weld.h"
 
 namespace relief {
 namespace {
 
-constexpr std::uint32_t kNoTriangle = UINT32_MAX;
+/// In place of whether a triangle is turned.
+constexpr std::uint8_t kNotMet = 2;
 
 /// The triangle beyond an edge.
 struct Beyond {
-  std::uint32_t triangle = kNoTriangle;
+  std::uint32_t triangle = 0;
   bool agrees = true;  ///< it traverses the edge the other way
 };
 
@@ -23,25 +25,15 @@ struct Around {
   std::size_t count = 0;
 };
 
-std::vector<Around> neighbours_of(std::size_t points, std::span<const Triangle> triangles) {
-  std::vector<Around> around(triangles.size());
-  const MeshEdges edges(points, triangles);
-  for (std::uint32_t p = 0; p < points; ++p) {
-    const std::span<const EdgeUse> uses = edges.of(p);
-    for (std::size_t first = 0; first < uses.size();) {
-      std::size_t last = first + 1;
-      while (last < uses.size() && uses[last].greater == uses[first].greater) ++last;
-      const EdgeUse& a = uses[first];
-      const EdgeUse& b = uses[last - 1];
-      const bool is_inner = last - first == 2 && a.triangle != b.triangle;
-      first = last;
-      if (!is_inner) continue;
-      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
-        Around& own = around[from.triangle];
-        own.edges[own.count++] = {to.triangle, a.forward != b.forward};
-      }
+std::vector<Around> neighbours_of(const MeshEdges& edges, std::size_t triangles) {
+  std::vector<Around> around(triangles);
+  edges.for_each_of_two([&](std::uint32_t /*p*/, const EdgeUse& a, const EdgeUse& b) {
+    if (a.triangle == b.triangle) return;
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+      Around& own = around[from.triangle];
+      own.edges[own.count++] = {to.triangle, a.forward != b.forward};
     }
-  }
+  });
   return around;
 }
 
@@ -54,7 +46,7 @@ struct Piece {
   bool has_sides = true;  ///< unlike a Moebius strip
 };
 
-/// Walks over the piece of a triangle. `turned`: of all triangles; 2 for those not yet met.
+/// Walks over the piece of a triangle. `turned`: of all triangles, or kNotMet.
 Piece piece_of(std::uint32_t first, const std::vector<Around>& around,
                std::vector<std::uint8_t>& turned) {
   Piece piece{.triangles = {first}};
@@ -66,7 +58,7 @@ Piece piece_of(std::uint32_t first, const std::vector<Around>& around,
     for (const Beyond& beyond : std::span(around[t].edges).first(around[t].count)) {
       const std::uint8_t wanted = beyond.agrees ? turned[t] : 1 - turned[t];
       std::uint8_t& other = turned[beyond.triangle];
-      if (other == 2) {
+      if (other == kNotMet) {
         other = wanted;
         piece.triangles.push_back(beyond.triangle);
       } else if (other != wanted) {
@@ -100,13 +92,13 @@ double outward(const Points& mesh, std::span<const Triangle> welded, const Piece
   return piece.is_closed && volume != 0.0 ? volume : area;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> triangles_to_turn(const Points& mesh, std::span<const Triangle> welded) {
-  const std::vector<Around> around = neighbours_of(mesh.size(), welded);
-  std::vector<std::uint8_t> turned(welded.size(), 2);
+/// triangles_to_turn() of a mesh with these edges.
+std::vector<std::uint8_t> find_turned(const Points& mesh, std::span<const Triangle> welded,
+                                      const MeshEdges& edges) {
+  const std::vector<Around> around = neighbours_of(edges, welded.size());
+  std::vector<std::uint8_t> turned(welded.size(), kNotMet);
   for (std::uint32_t t = 0; t < welded.size(); ++t) {
-    if (turned[t] != 2) continue;
+    if (turned[t] != kNotMet) continue;
     const Piece piece = piece_of(t, around, turned);
     const bool changes = piece.is_mixed && piece.has_sides;
     const bool all = changes && outward(mesh, welded, piece, turned) < 0.0;
@@ -114,6 +106,12 @@ std::vector<std::uint8_t> triangles_to_turn(const Points& mesh, std::span<const 
       turned[own] = changes && (turned[own] == 1) != all ? 1 : 0;
   }
   return turned;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> triangles_to_turn(const Points& mesh, std::span<const Triangle> welded) {
+  return find_turned(mesh, welded, MeshEdges(mesh.size(), welded));
 }
 
 void turn_triangle(Points& mesh, std::size_t triangle) {
@@ -125,13 +123,20 @@ void turn_triangle(Points& mesh, std::size_t triangle) {
 }
 
 bool orient_triangles(Points& mesh, std::vector<Triangle>& welded) {
-  const std::vector<std::uint8_t> turned = triangles_to_turn(mesh, welded);
+  const MeshEdges edges(mesh.size(), welded);
+  if (edges.misoriented() == 0.0) return true;  // most meshes: all agree
+  const std::vector<std::uint8_t> turned = find_turned(mesh, welded, edges);
   for (std::size_t t = 0; t < turned.size(); ++t) {
     if (turned[t] == 0) continue;
     turn_triangle(mesh, t);
     std::swap(welded[t][1], welded[t][2]);
   }
   return MeshEdges(mesh.size(), welded).misoriented() < kMaxMisoriented;
+}
+
+bool orient_triangles(Points& mesh) {
+  std::vector<Triangle> welded = welded_triangles(mesh);
+  return orient_triangles(mesh, welded);
 }
 
 }  // namespace relief

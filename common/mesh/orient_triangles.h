@@ -23,5 +23,7 @@ void turn_triangle(Points& mesh, std::size_t triangle);
 /// Turns the triangles that triangles_to_turn() finds, in `welded`, too. Returns whether they agree
 /// then, but for a few (kMaxMisoriented).
 bool orient_triangles(Points& mesh, std::vector<Triangle>& welded);
+/// The same of a mesh whose triangles are not welded yet.
+bool orient_triangles(Points& mesh);
 
 }  // namespace relief

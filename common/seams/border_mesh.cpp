@@ -26,7 +26,7 @@ glm::dvec3 normal_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
 
 /// Fits a plane to the samples within `reach` cells of a vertex, which at a border are few and on
 /// one side of it. Returns false if they are too few or in one row.
-bool find_plane(const Patch& patch, std::uint32_t reach, BorderVertex& vertex) {
+bool find_plane_within(std::uint32_t reach, const Patch& patch, BorderVertex& vertex) {
   const std::uint32_t i = vertex.node % patch.width;
   const std::uint32_t j = vertex.node / patch.width;
   constexpr int kFewest = 6;
@@ -68,7 +68,7 @@ void find_plane(const Patch& patch, BorderVertex& vertex) {
   constexpr std::uint32_t kReach = 2;
   constexpr std::uint32_t kReachInTips = 4;
   vertex.plane_normal = patch.axes[2];
-  if (!find_plane(patch, kReach, vertex)) find_plane(patch, kReachInTips, vertex);
+  if (!find_plane_within(kReach, patch, vertex)) find_plane_within(kReachInTips, patch, vertex);
 }
 
 bool is_beside_hole(const Patch& patch, std::uint32_t i, std::uint32_t j) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "common/mesh/creases.h"
+
 namespace relief {
 namespace {
 
@@ -31,7 +33,7 @@ bool is_crease(const BorderVertex& a, const BorderVertex& b) {
 /// of a low-polygon elephant from 975 to 1,312 pixels.
 bool are_at_edge(const BorderVertex& a, const BorderVertex& b) {
   return glm::dot(a.normal, b.normal) < kRightEdge && is_plane(a) && is_plane(b) &&
-         meet_at_crease(a, b);
+         glm::dot(a.plane_normal, b.plane_normal) > kSharpestWedge;
 }
 
 }  // namespace

@@ -8,10 +8,6 @@
 
 namespace relief {
 
-/// Normals that turn by more than 40 degrees within the two spacings at most between two samples
-/// are those of two faces.
-inline constexpr double kCreaseCosine = 0.766;
-
 /// Whether a vertex is on a plane, or on a face that bends along its border only, as a bore does.
 /// All of these need BorderVertex::plane_normal.
 [[nodiscard]] bool is_plane(const BorderVertex& v);

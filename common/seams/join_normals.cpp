@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "common/mesh/creases.h"
 #include "common/octahedral.h"
 #include "common/seams/border_mesh.h"
 #include "common/seams/cell_triangles.h"
-#include "common/seams/crease_between.h"
 #include "common/seams/vertex_grid.h"
 
 namespace relief {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -72,13 +73,12 @@ void FaceColours::add(glm::vec3 colour, ColourNumbers numbers, std::size_t befor
   of_triangles_.resize(after, colour);
 }
 
-void FaceColours::give(Points& points) const {
+void FaceColours::give(Points& points) {
   if (of_triangles_.empty() || !points.colours.empty() || !points.materials.empty()) return;
-  std::vector<glm::vec3> as_read = of_triangles_;
-  as_read.resize(points.triangles.size(), kNoColour);
-  std::vector<glm::u8vec3> colours = to_colours(as_read, numbers_);
+  of_triangles_.resize(points.triangles.size(), kNoColour);
+  std::vector<glm::u8vec3> colours = to_colours(of_triangles_, numbers_);
   for (std::size_t t = 0; t < colours.size(); ++t) {
-    if (as_read[t].x != as_read[t].x) colours[t] = glm::u8vec3(255);
+    if (std::isnan(of_triangles_[t].x)) colours[t] = glm::u8vec3(255);
   }
   if (std::ranges::all_of(colours, [](glm::u8vec3 c) { return c == glm::u8vec3(255); })) return;
   const Palette palette = palette_of(colours, kMostMaterials);

@@ -21,7 +21,7 @@ class FaceColours {
   /// Gives the points what was collected, unless they have colours or pictures already, or all
   /// faces are white: materials if there are at most kMostMaterials colours, as of the parts of an
   /// assembly; otherwise each vertex the mean of its faces' colours, as of a measured quantity.
-  void give(Points& points) const;
+  void give(Points& points);
 
   static constexpr std::size_t kMostMaterials = 256;
 

@@ -157,7 +157,6 @@ class OffReader {
     glm::vec3 colour{};
     ColourNumbers numbers = ColourNumbers::Integer;
     for (int channel = 0; channel < 3; ++channel) {
-      if (line_.at_line_end()) return;
       if (line_.peek().find('.') != std::string_view::npos) numbers = ColourNumbers::Real;
       double value = 0.0;
       if (!line_.number(value)) return;

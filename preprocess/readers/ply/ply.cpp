@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -134,13 +133,14 @@ class PlyBody {
 
   /// Any other element: faces and strips are kept, the rest is skipped.
   Status read_lists(const PlyElement& element) {
-    const std::optional<ColourNumbers> colours = face_colours_of(element);
+    const std::vector<Role> roles = colour_roles(element);
+    const std::optional<ColourNumbers> colours = numbers_of_colours(element, roles);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!values_.begin_element()) return failure(element, i);
       list_.clear();
       textures_.begin_face();
-      for (const PlyProperty& property : element.properties) {
-        if (!read_property(element, property)) return failure(element, i);
+      for (std::size_t p = 0; p < roles.size(); ++p) {
+        if (!read_property(element, element.properties[p], roles[p])) return failure(element, i);
       }
       if (source_.sink == nullptr) {
         const std::size_t before = points_.triangles.size();
@@ -155,7 +155,7 @@ class PlyBody {
     return {};
   }
 
-  bool read_property(const PlyElement& element, const PlyProperty& property) {
+  bool read_property(const PlyElement& element, const PlyProperty& property, Role role) {
     const bool face = element.name == "face";
     const std::string& name = property.name;
     if (property.count_type) {
@@ -169,41 +169,39 @@ class PlyBody {
       if (!values_.value(property.type, value)) return false;
       textures_.set_number(value);
       return true;
-    } else if (const std::optional<glm::length_t> channel = colour_channel(name); face && channel) {
+    } else if (is_colour(role)) {
       double value = 0.0;
       if (!values_.value(property.type, value)) return false;
-      colour_[*channel] = static_cast<float>(value);
+      colour_[role - Red] = static_cast<float>(value);
       return true;
     }
     return skip_property(property);
   }
 
-  /// 0 for red, 1 for green, 2 for blue.
-  static std::optional<glm::length_t> colour_channel(std::string_view name) {
-    switch (role_of(name)) {
-      case Red:
-        return 0;
-      case Green:
-        return 1;
-      case Blue:
-        return 2;
-      default:
-        return {};
+  static bool is_colour(Role role) { return role >= Red && role <= Blue; }
+
+  /// The roles of the properties of an element of faces that are part of a colour; Other for all
+  /// other properties.
+  static std::vector<Role> colour_roles(const PlyElement& element) {
+    std::vector<Role> roles;
+    for (const PlyProperty& property : element.properties) {
+      const Role role = role_of(property.name);
+      const bool is_part = element.name == "face" && !property.count_type && is_colour(role);
+      roles.push_back(is_part ? role : Other);
     }
+    return roles;
   }
 
   /// The numbers of the colours of an element of faces; nothing if it has none.
-  static std::optional<ColourNumbers> face_colours_of(const PlyElement& element) {
-    if (element.name != "face") return {};
-    std::array<bool, 3> has{};
-    ColourNumbers numbers = ColourNumbers::Integer;
-    for (const PlyProperty& property : element.properties) {
-      const std::optional<glm::length_t> channel = colour_channel(property.name);
-      if (property.count_type || !channel) continue;
-      has[static_cast<std::size_t>(*channel)] = true;
-      if (is_real(property.type)) numbers = ColourNumbers::Real;
+  static std::optional<ColourNumbers> numbers_of_colours(const PlyElement& element,
+                                                         const std::vector<Role>& roles) {
+    for (const Role channel : {Red, Green, Blue}) {
+      if (std::ranges::find(roles, channel) == roles.end()) return {};
     }
-    return has[0] && has[1] && has[2] ? std::optional(numbers) : std::nullopt;
+    for (std::size_t p = 0; p < roles.size(); ++p) {
+      if (is_colour(roles[p]) && is_real(element.properties[p].type)) return ColourNumbers::Real;
+    }
+    return ColourNumbers::Integer;
   }
 
   template <class Take>
