@@ -6,7 +6,7 @@
 #include "common/seams/border_parts.h"
 #include "common/seams/cell_triangles.h"
 #include "common/seams/seam_vertices.h"
-#include "common/seams/stitch.h"
+#include "common/seams/stitching/stitch.h"
 
 namespace relief {
 namespace {

@@ -9,8 +9,8 @@
 #include "common/io/mapped_file.h"
 #include "preprocess/gaussians/gaussian_readers.h"
 #include "preprocess/gaussians/spz_header.h"
-#include "preprocess/readers/gunzip.h"
-#include "preprocess/readers/inflate.h"
+#include "preprocess/readers/gzip/gunzip.h"
+#include "preprocess/readers/gzip/inflate.h"
 
 namespace relief {
 namespace {

@@ -8,8 +8,8 @@
 #include "common/guard.h"
 #include "preprocess/gaussians/gaussian_readers.h"
 #include "preprocess/gaussians/spz_gaussians.h"
-#include "preprocess/readers/gunzip.h"
-#include "preprocess/readers/inflate.h"
+#include "preprocess/readers/gzip/gunzip.h"
+#include "preprocess/readers/gzip/inflate.h"
 
 namespace relief {
 namespace {

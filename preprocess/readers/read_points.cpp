@@ -8,7 +8,7 @@
 #include "common/io/file.h"
 #include "common/is_finite.h"
 #include "preprocess/readers/format.h"
-#include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/gzip/gunzip.h"
 #include "preprocess/readers/readers.h"
 
 namespace relief {

@@ -10,7 +10,7 @@
 #include "common/is_finite.h"
 #include "preprocess/points/keep_points.h"
 #include "preprocess/readers/format.h"
-#include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/gzip/gunzip.h"
 #include "preprocess/readers/read_points.h"
 
 namespace relief {

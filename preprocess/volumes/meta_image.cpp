@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "preprocess/readers/inflate.h"
+#include "preprocess/readers/gzip/inflate.h"
 #include "preprocess/volumes/meta_image_header.h"
 #include "preprocess/volumes/volume_readers.h"
 #include "preprocess/volumes/volume_values.h"

@@ -3,7 +3,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <vector>
 
-#include "preprocess/readers/inflate.h"
+#include "preprocess/readers/gzip/inflate.h"
 #include "preprocess/volumes/volume_grid.h"
 #include "preprocess/volumes/volume_readers.h"
 #include "preprocess/volumes/volume_values.h"

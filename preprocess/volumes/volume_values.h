@@ -10,7 +10,7 @@
 
 #include "common/error.h"
 #include "common/progress.h"
-#include "preprocess/readers/inflate.h"
+#include "preprocess/readers/gzip/inflate.h"
 #include "preprocess/volumes/number_form.h"
 
 namespace relief {

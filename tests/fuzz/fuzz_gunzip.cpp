@@ -1,5 +1,5 @@
 // Fuzzes unpacking, with a limit that small inputs reach.
-#include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/gzip/gunzip.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT

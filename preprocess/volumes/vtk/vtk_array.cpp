@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "preprocess/readers/inflate.h"
+#include "preprocess/readers/gzip/inflate.h"
 #include "preprocess/readers/number_type.h"
 #include "preprocess/readers/source.h"
 #include "preprocess/volumes/encoded_bytes.h"

@@ -12,10 +12,10 @@
 
 #include "common/octahedral.h"
 #include "common/seams/border_parts.h"
-#include "common/seams/fill_loops.h"
-#include "common/seams/front.h"
 #include "common/seams/planes.h"
 #include "common/seams/seam_vertices.h"
+#include "common/seams/stitching/fill_loops.h"
+#include "common/seams/stitching/front.h"
 #include "tests/common/seams/joined_mesh.h"
 
 namespace relief {

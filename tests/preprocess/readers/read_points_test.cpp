@@ -5,7 +5,7 @@
 #include <set>
 
 #include "preprocess/readers/format.h"
-#include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/gzip/gunzip.h"
 #include "preprocess/readers/read_points.h"
 #include "tests/preprocess/readers/sample_files.h"
 

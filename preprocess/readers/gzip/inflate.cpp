@@ -1,4 +1,4 @@
-#include "preprocess/readers/inflate.h"
+#include "preprocess/readers/gzip/inflate.h"
 
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-#include "common/seams/front.h"
+#include "common/seams/stitching/front.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "common/seams/front.h"
+#include "common/seams/stitching/front.h"
 #include "common/seams/vertex_grid.h"
 
 namespace relief {

@@ -1,7 +1,7 @@
 // Closes the small gaps that no triangle could be grown in.
 #pragma once
 
-#include "common/seams/front.h"
+#include "common/seams/stitching/front.h"
 
 namespace relief {
 

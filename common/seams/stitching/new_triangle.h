@@ -11,7 +11,7 @@
 
 #include "common/cross.h"
 #include "common/seams/crease_between.h"
-#include "common/seams/front.h"
+#include "common/seams/stitching/front.h"
 
 namespace relief {
 

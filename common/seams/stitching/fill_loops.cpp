@@ -1,4 +1,4 @@
-#include "common/seams/fill_loops.h"
+#include "common/seams/stitching/fill_loops.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "common/seams/stitch.h"
+#include "common/seams/stitching/stitch.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -9,9 +9,9 @@
 #include <optional>
 #include <queue>
 
-#include "common/seams/fill_loops.h"
-#include "common/seams/front.h"
-#include "common/seams/growth_rules.h"
+#include "common/seams/stitching/fill_loops.h"
+#include "common/seams/stitching/front.h"
+#include "common/seams/stitching/growth_rules.h"
 #include "common/seams/vertex_grid.h"
 
 namespace relief {

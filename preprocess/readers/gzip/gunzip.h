@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "preprocess/readers/inflate.h"
+#include "preprocess/readers/gzip/inflate.h"
 #include "preprocess/readers/source.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-#include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/gzip/gunzip.h"
 
 #include <unistd.h>
 

@@ -1,11 +1,11 @@
-#include "common/seams/growth_rules.h"
+#include "common/seams/stitching/growth_rules.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <vector>
 
 #include "common/seams/crease_between.h"
-#include "common/seams/new_triangle.h"
+#include "common/seams/stitching/new_triangle.h"
 
 namespace relief {
 namespace {
