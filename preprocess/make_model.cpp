@@ -115,6 +115,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
        .border = scan.border,
        .follows_density = scan.follows_density,
        .is_cut_later = scan.sides != nullptr,
+       .is_fitted_later = scan.spheres != nullptr && seams,
        .fits = &fits},
       budget.factors, resample_options(options, seams, spacing, scan.normals), regions, progress);
   std::vector<Patch>& patches = made.model.patches;

@@ -32,6 +32,9 @@ constexpr double kCreaseReachInSpacings = 2.5;
 // With 2, a scan of random points has a tenth more holes (docs/decisions/0153).
 constexpr double kFarthestSample = 3.0;
 
+// Points this many cells apart have triangles finer than the grid.
+constexpr double kFinePoints = 0.5;
+
 // Rings of nodes beyond a region's own that neighbours may be met in, at most.
 constexpr double kMostRings = 8.0;
 
@@ -77,11 +80,15 @@ void crop_grid(const Crop& crop, std::vector<NodeState>& states, PatchGrid& grid
   grid.height = crop.height;
 }
 
-// Buckets about as large as the neighbourhood of a fit.
-double bucket_side(const PatchPoints& points, double spacing) {
+double mean_spacing(const PatchPoints& points) {
   double sum = 0.0;
   for (const float s : points.spacing) sum += s;
-  return std::max(spacing, sum / static_cast<double>(points.size()));
+  return sum / static_cast<double>(points.size());
+}
+
+// Buckets about as large as the neighbourhood of a fit.
+double bucket_side(const PatchPoints& points, double spacing) {
+  return std::max(spacing, mean_spacing(points));
 }
 
 // Support reaches up to 0.9 spacings beyond a region's points; where borders meet, half of what is
@@ -116,12 +123,22 @@ int rings_to_others(const ScanSurface& scan, const Region& region, const Resampl
   return static_cast<int>(std::clamp(rings, double{1}, kMostRings));
 }
 
+/// How the surface at nodes is found.
+enum class NodeFit : std::uint8_t { Mls, MlsWithGivenNormals, BlendedTangents };
+
+NodeFit choose_fit(const ScanSurface& scan, const PatchPoints& points,
+                   const ResampleOptions& options) {
+  // Triangles finer than the grid are not fitted to (are_finer_than_grid).
+  const bool is_fine = mean_spacing(points) < kFinePoints * options.spacing;
+  if (scan.is_fitted_later && !is_fine) return NodeFit::BlendedTangents;
+  return options.normals == NormalSource::Fits ? NodeFit::Mls : NodeFit::MlsWithGivenNormals;
+}
+
 /// Evaluates the surface at all nodes but holes. Nodes that would be far from every point become
 /// holes: the surface is steep there, or the points are scattered.
 std::vector<MlsPoint> evaluate_nodes(const PatchPoints& points, const PointGrid& supporting,
-                                     const PointGrid& all, const PatchGrid& grid,
-                                     bool with_given_normals, FitCensus* census,
-                                     std::vector<NodeState>& states) {
+                                     const PointGrid& all, const PatchGrid& grid, NodeFit fit,
+                                     FitCensus* census, std::vector<NodeState>& states) {
   const auto reach_of = [&grid](float spacing) {
     return kFarthestSample * std::max<double>(grid.spacing, spacing);
   };
@@ -144,7 +161,10 @@ std::vector<MlsPoint> evaluate_nodes(const PatchPoints& points, const PointGrid&
     const double x = grid.x0 + static_cast<double>(i) * grid.spacing;
     const double y = grid.y0 + static_cast<double>(j) * grid.spacing;
     MlsPoint& at = surface[m];
-    at = evaluate_mls(points, supporting, all, x, y, grid.spacing, with_given_normals);
+    at = fit == NodeFit::BlendedTangents
+             ? blend_tangents(points, supporting, all, x, y, grid.spacing)
+             : evaluate_mls(points, supporting, all, x, y, grid.spacing,
+                            fit == NodeFit::MlsWithGivenNormals);
     const glm::dvec3 place(x, y, at.height);
     // Nearly all nodes are near the point that the fit began with.
     if (at.nearest != PointGrid::kNone && !is_near(at.nearest, place) && !is_near_any(place)) {
@@ -153,7 +173,7 @@ std::vector<MlsPoint> evaluate_nodes(const PatchPoints& points, const PointGrid&
     }
     fits += {1, at.is_replaced ? 1U : 0U, at.condition};
   }
-  if (census != nullptr) census->add(fits);
+  if (census != nullptr && fit != NodeFit::BlendedTangents) census->add(fits);
   return surface;
 }
 
@@ -197,7 +217,7 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
   if (grid.width == 0 || grid.height == 0) return patch;
 
   std::vector<MlsPoint> surface = evaluate_nodes(
-      points, supporting, all, grid, options.normals != NormalSource::Fits, scan.fits, states);
+      points, supporting, all, grid, choose_fit(scan, points, options), scan.fits, states);
   if (!has_samples(states)) return {};
   const std::vector<NodeState> with_margin = states;
   if (options.seams) {

@@ -26,6 +26,7 @@ struct ScanSurface {
   const ScanBorder* border = nullptr;             ///< of all points; null: patches end with support
   bool follows_density = false;                   ///< patches' spacings do (spacing_factors)
   bool is_cut_later = false;                      ///< by cut_to_mesh(): patches may overhang
+  bool is_fitted_later = false;                   ///< to triangles, by fit_to_mesh()
   FitCensus* fits = nullptr;                      ///< counts the fits; null: nothing does
 };
 

@@ -25,9 +25,15 @@ constexpr double kFitRidge = 2e-3;
 // The fit may leave the points' own tangent planes by this many scales; further is an overshoot.
 constexpr double kMaxOvershoot = 0.5;
 
+// The nearest point is looked for within this many grid spacings.
+constexpr double kNearestReach = 16.0;
+
 // Points whose normals differ more from the nearest point's (60 degrees) lie beyond a crest: near
 // on the base plane, but far on the surface.
 constexpr float kMinLikeness = 0.5F;
+// Tangent planes are blended within this many scales: twice that of the points that weigh most.
+constexpr double kBlendReach = 2.0;
+
 // Fitted normals may leave the mean normal by up to 37 degrees; further is an overshoot.
 constexpr float kMinAgreement = 0.8F;
 
@@ -165,14 +171,25 @@ bool are_finite(const FitColumn& unknowns) {
   return std::ranges::all_of(unknowns, [](double x) { return std::isfinite(x); });
 }
 
+/// The surface above a position, on the tangent plane of the nearest point.
+glm::dvec3 first_estimate(const PatchPoints& points, std::uint32_t nearest, glm::dvec2 at) {
+  return {at, tangent_height(points, nearest, at.x, at.y)};
+}
+
+/// The scale of weights about a first estimate.
+double scale_about(glm::dvec3 estimate, const PatchPoints& points, std::uint32_t nearest,
+                   double spacing) {
+  const double to_nearest = glm::distance(estimate, points.positions[nearest]);
+  return std::max({kScaleInSpacings * points.spacing[nearest], kScaleInGridSpacings * spacing,
+                   0.6 * to_nearest});
+}
+
 /// Fits the points about the tangent plane of the nearest, those with normals `like` that one.
 template <std::size_t kValues>
 MlsPoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32_t nearest,
              glm::dvec2 at, double spacing, glm::vec3 normal, float like) {
-  const glm::dvec3 about(at, tangent_height(points, nearest, at.x, at.y));
-  const double to_nearest = glm::distance(about, points.positions[nearest]);
-  const double scale = std::max({kScaleInSpacings * points.spacing[nearest],
-                                 kScaleInGridSpacings * spacing, 0.6 * to_nearest});
+  const glm::dvec3 about = first_estimate(points, nearest, at);
+  const double scale = scale_about(about, points, nearest, spacing);
 
   Sums<kValues> sums = accumulate<kValues>(points, lookup, about, scale, normal, like);
   if (!(sums.weight > 0.0)) return {about.z, normal, normal, true, 1.0, nearest};
@@ -205,10 +222,35 @@ MlsPoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32_t n
 
 MlsPoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting, const PointGrid& all,
                       double x, double y, double spacing, bool with_given_normal) {
-  const std::uint32_t nearest = supporting.nearest(x, y, 16.0 * spacing);
+  const std::uint32_t nearest = supporting.nearest(x, y, kNearestReach * spacing);
   if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}, true};
   const auto fit_to = with_given_normal ? fit<4> : fit<1>;
   return fit_to(points, all, nearest, {x, y}, spacing, points.normals[nearest], kMinLikeness);
+}
+
+MlsPoint blend_tangents(const PatchPoints& points, const PointGrid& supporting,
+                        const PointGrid& all, double x, double y, double spacing) {
+  const std::uint32_t nearest = supporting.nearest(x, y, kNearestReach * spacing);
+  if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}, true};
+  const glm::vec3 normal = points.normals[nearest];
+  const glm::dvec3 about = first_estimate(points, nearest, {x, y});
+  const double reach = kBlendReach * scale_about(about, points, nearest, spacing);
+  double weights = 0.0;
+  double height = 0.0;
+  glm::vec3 mean(0.0F);
+  all.for_each_within(x, y, reach, [&](std::uint32_t p, double plane_squared) {
+    const double dz = points.positions[p].z - about.z;
+    const double squared = (plane_squared + dz * dz) / (reach * reach);
+    if (squared >= 1.0 || glm::dot(normal, points.normals[p]) < kMinLikeness) return;
+    const double root = (1.0 - squared) * (1.0 - squared);
+    const double weight = root * root;
+    weights += weight;
+    height += weight * (tangent_height(points, p, x, y) - about.z);
+    mean += static_cast<float>(weight) * points.normals[p];
+  });
+  if (!(weights > 0.0)) return {about.z, normal, normal, true, 1.0, nearest};
+  mean = unit_or_up(mean);
+  return {about.z + height / weights, mean, mean, false, 1.0, nearest};
 }
 
 std::optional<MlsPoint> evaluate_mls_beside_crease(const PatchPoints& points, const PointGrid& own,
