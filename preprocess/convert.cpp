@@ -327,8 +327,9 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
   // A mesh may have few points: others are spread over its triangles.
-  if (!has_triangle_colours(points) && !is_coarse_mesh(points)) {
-    RELIEF_TRY(check_points(points.positions));
+  if (!has_triangle_colours(points)) {
+    const Status enough = check_points(points.positions);
+    if (!enough && !is_coarse_mesh(points)) return enough.error();
   }
   RELIEF_TRY(check_spacing(options.spacing, bounds_of(points.positions)));
   const std::string task = fmt::format("convert {} points", points.size());

@@ -41,6 +41,13 @@ double area_of(const Points& mesh, const Triangle& t) {
   return std::isfinite(area) ? area : 0.0;
 }
 
+std::vector<double> areas_of(const Points& mesh) {
+  std::vector<double> areas(mesh.triangles.size());
+  tbb::parallel_for(std::size_t{0}, areas.size(),
+                    [&](std::size_t k) { areas[k] = area_of(mesh, mesh.triangles[k]); });
+  return areas;
+}
+
 double longest_edge(const Points& mesh, const Triangle& t) {
   double longest = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -72,22 +79,20 @@ double area_of_small_bodies(const Points& mesh) {
 }  // namespace
 
 double area_of_triangles(const Points& mesh) {
-  std::vector<double> areas(mesh.triangles.size());
-  tbb::parallel_for(std::size_t{0}, areas.size(),
-                    [&](std::size_t k) { areas[k] = area_of(mesh, mesh.triangles[k]); });
+  const std::vector<double> areas = areas_of(mesh);
   return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
 bool is_coarse_mesh(const Points& mesh) {
   if (mesh.triangles.empty()) return false;  // a large scan needs no table
-  const double area = area_of_triangles(mesh);
+  std::vector<double> areas = areas_of(mesh);
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double points = std::max(static_cast<double>(mesh.size()), kFewestPoints);
   const double limit = kLongEdge * std::sqrt(area / points);
-  double large = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const double own = area_of(mesh, t);
-    if (own > 0.0 && longest_edge(mesh, t) > limit) large += own;
-  }
+  tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t k) {
+    if (areas[k] > 0.0 && !(longest_edge(mesh, mesh.triangles[k]) > limit)) areas[k] = 0.0;
+  });
+  const double large = std::accumulate(areas.begin(), areas.end(), 0.0);
   return large > 0.5 * area || area_of_small_bodies(mesh) > 0.5 * area;
 }
 

@@ -1,10 +1,13 @@
 #include "common/mesh/footing.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "common/bounds.h"
@@ -29,9 +32,10 @@ struct Body {
   double area = 0.0;
 };
 
-Body body_of(const Points& mesh) {
+/// `centre` is not divided by the area yet.
+Body body_of(const Points& mesh, std::span<const Triangle> triangles) {
   Body body;
-  for (const Triangle& t : mesh.triangles) {
+  for (const Triangle& t : triangles) {
     const glm::dvec3& a = mesh.positions[t[0]];
     const glm::dvec3& b = mesh.positions[t[1]];
     const glm::dvec3& c = mesh.positions[t[2]];
@@ -39,6 +43,25 @@ Body body_of(const Points& mesh) {
     const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
     body.centre += area * (a + b + c) / 3.0;
     body.area += area;
+  }
+  return body;
+}
+
+Body body_of(const Points& mesh) {
+  // The same on any number of threads: a part has so many triangles.
+  constexpr std::size_t kPart = 65536;
+  const std::span triangles(mesh.triangles);
+  std::vector<Body> parts((triangles.size() + kPart - 1) / kPart);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    const auto rest = triangles.subspan(p * kPart);
+    parts[p] = body_of(mesh, rest.first(std::min(kPart, rest.size())));
+  });
+  Body body;
+  for (const Body& part : parts) {
+    for (const glm::dvec3& corner : {part.bounds.min, part.bounds.max})
+      extend(body.bounds, corner);
+    body.centre += part.centre;
+    body.area += part.area;
   }
   if (body.area > 0.0) body.centre /= body.area;
   return body;

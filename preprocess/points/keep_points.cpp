@@ -1,17 +1,17 @@
 #include "preprocess/points/keep_points.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <bit>
+#include <numeric>
+#include <span>
+#include <utility>
 
 #include "common/is_finite.h"
 #include "preprocess/points/no_point.h"
 
 namespace relief {
 namespace {
-
-/// Triangles whose place among those kept is on its way from memory at a time: 871,000 triangles
-/// take 115 ms instead of 249.
-constexpr std::size_t kAhead = 16;
 
 /// Closes the gaps of dropped points. `kept` lists the points to keep, ascending.
 template <class T>
@@ -21,77 +21,68 @@ void compact(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
   values.resize(kept.size());
 }
 
-/// Triangles already kept: open addressing, at most half full.
-class KeptTriangles {
- public:
-  explicit KeptTriangles(std::size_t count)
-      : slots_(std::bit_ceil(2 * count + 2), kNoPoint), mask_(slots_.size() - 1) {}
-
-  /// Fetches what `add` will look at, so that it need not wait for memory.
-  void expect(const Triangle& triangle) const {
-    __builtin_prefetch(&slots_[hash(smallest_first(triangle)) & mask_], 1);
-  }
-
-  /// Stores the index of a triangle, and returns true, unless an earlier one has the same corners
-  /// in the same order from wherever one begins.
-  bool add(const std::vector<Triangle>& kept, const Triangle& triangle, std::uint32_t index) {
-    const Triangle turned = smallest_first(triangle);
-    for (std::uint64_t slot = hash(turned) & mask_;; slot = (slot + 1) & mask_) {
-      if (slots_[slot] == kNoPoint) {
-        slots_[slot] = index;
-        return true;
-      }
-      if (smallest_first(kept[slots_[slot]]) == turned) return false;
-    }
-  }
-
- private:
-  static Triangle smallest_first(Triangle t) {
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    return t;
-  }
-  /// The finaliser of SplitMix64.
-  static std::uint64_t hash(const Triangle& t) {
-    std::uint64_t h = (std::uint64_t{t[0]} << 32U | t[1]) + t[2] * 0x9E3779B97F4A7C15U;
-    h = (h ^ (h >> 30U)) * 0xBF58476D1CE4E5B9U;
-    h = (h ^ (h >> 27U)) * 0x94D049BB133111EBU;
-    return h ^ (h >> 31U);
-  }
-
-  std::vector<std::uint32_t> slots_;
-  std::uint64_t mask_;
-};
+Triangle smallest_first(Triangle t) {
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
 
 Triangle renumbered(Triangle t, const std::vector<std::uint32_t>& new_index) {
   for (std::uint32_t& corner : t) corner = corner < new_index.size() ? new_index[corner] : kNoPoint;
   return t;
 }
 
+bool is_whole(const Triangle& t) {
+  return std::ranges::find(t, kNoPoint) == t.end() && t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+/// Marks whole triangles that repeat an earlier one: the same corners in the same order, from
+/// wherever one begins. Sorted by the smallest corner, which takes a third of the time of a table
+/// of all.
+void mark_repeated(const std::vector<Triangle>& triangles, std::size_t points,
+                   std::vector<std::uint8_t>& dropped) {
+  std::vector<std::uint32_t> ends(points + 1, 0);
+  const auto for_each_kept = [&](const auto& fn) {
+    for (std::uint32_t k = 0; k < triangles.size(); ++k) {
+      if (dropped[k] == 0) fn(k, *std::ranges::min_element(triangles[k]));
+    }
+  };
+  for_each_kept([&](std::uint32_t, std::uint32_t corner) { ++ends[corner + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::uint32_t> sorted(ends.back());
+  for_each_kept([&](std::uint32_t k, std::uint32_t corner) { sorted[ends[corner]++] = k; });
+  // Now an entry ends where its own corner's triangles do.
+  tbb::parallel_for(std::size_t{0}, points, [&](std::size_t corner) {
+    const std::uint32_t begin = corner > 0 ? ends[corner - 1] : 0;
+    const std::span at = std::span(sorted).subspan(begin, ends[corner] - begin);
+    if (at.size() < 2) return;
+    const auto place = [&](std::uint32_t k) { return std::pair(smallest_first(triangles[k]), k); };
+    std::ranges::sort(at, {}, place);
+    for (std::size_t k = 1; k < at.size(); ++k) {
+      if (place(at[k]).first == place(at[k - 1]).first) dropped[at[k]] = 1;
+    }
+  });
+}
+
 /// Renumbers triangles and drops those with a lost or invalid corner, with two equal corners, or
 /// that repeat an earlier one.
 void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
   std::vector<Triangle>& triangles = points.triangles;
-  KeptTriangles kept(triangles.size());
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (i + kAhead < triangles.size()) kept.expect(renumbered(triangles[i + kAhead], new_index));
-    const Triangle t = renumbered(triangles[i], new_index);
-    const bool whole = std::ranges::find(t, kNoPoint) == t.end();
-    if (!whole || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-    if (!kept.add(triangles, t, static_cast<std::uint32_t>(left))) continue;
-    if (!points.corner_texcoords.empty()) {
-      points.corner_texcoords[left] = points.corner_texcoords[i];
-    }
-    if (!points.corner_tangents.empty()) points.corner_tangents[left] = points.corner_tangents[i];
-    if (!points.triangle_materials.empty()) {
-      points.triangle_materials[left] = points.triangle_materials[i];
-    }
-    triangles[left++] = t;
+  std::vector<std::uint8_t> dropped(triangles.size());
+  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t k) {
+    triangles[k] = renumbered(triangles[k], new_index);
+    dropped[k] = is_whole(triangles[k]) ? 0 : 1;
+  });
+  mark_repeated(triangles, new_index.size(), dropped);
+  if (std::ranges::find(dropped, 1) == dropped.end()) return;
+  std::vector<std::uint32_t> kept;
+  kept.reserve(triangles.size());
+  for (std::uint32_t k = 0; k < triangles.size(); ++k) {
+    if (dropped[k] == 0) kept.push_back(k);
   }
-  triangles.resize(left);
-  if (!points.corner_texcoords.empty()) points.corner_texcoords.resize(left);
-  if (!points.corner_tangents.empty()) points.corner_tangents.resize(left);
-  if (!points.triangle_materials.empty()) points.triangle_materials.resize(left);
+  compact(triangles, kept);
+  compact(points.corner_texcoords, kept);
+  compact(points.corner_tangents, kept);
+  compact(points.triangle_materials, kept);
 }
 
 }  // namespace

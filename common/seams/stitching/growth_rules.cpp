@@ -166,6 +166,12 @@ bool GrowthRules::is_free(Vertex from, Vertex to, Vertex apex) const {
   return free;
 }
 
+GrowthRules::Surroundings GrowthRules::surroundings_of(Vertex from, Vertex to,
+                                                       Vertex apex) const {
+  const NewTriangle triangle(front_, from, to, apex);
+  return {triangle.middle(), triangle.over()};
+}
+
 std::optional<GrowthCandidate> GrowthRules::best_on(Vertex from, Vertex to) const {
   const BorderVertex& a = front_.vertex(from);
   const BorderVertex& b = front_.vertex(to);

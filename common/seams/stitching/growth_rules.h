@@ -31,6 +31,14 @@ class GrowthRules {
   /// Whether a triangle covers no vertex and crosses no border edge of its sheet.
   [[nodiscard]] bool is_free(Vertex from, Vertex to, Vertex apex) const;
 
+  /// What `score_of` and `is_free` say of a triangle depends on vertices that are near it: no
+  /// farther from a position than this and half their longest edge.
+  struct Surroundings {
+    glm::dvec3 middle{0.0};
+    double radius = 0.0;
+  };
+  [[nodiscard]] Surroundings surroundings_of(Vertex from, Vertex to, Vertex apex) const;
+
   /// The best triangle on a border edge, if there is one.
   [[nodiscard]] std::optional<GrowthCandidate> best_on(Vertex from, Vertex to) const;
 
