@@ -1,5 +1,7 @@
 #include "preprocess/convert.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -210,8 +212,9 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   RELIEF_TRY_ASSIGN(CleanScan clean, drop_strays(points, options, result.report, progress));
   // As scanned, so that a camera is the same for engines that draw the points themselves.
   PatchModel extent;
-  set_extent(extent, points.positions);
-  const WorkingFrame frame = working_frame(points.positions);
+  WorkingFrame frame;
+  tbb::parallel_invoke([&] { set_extent(extent, points.positions); },
+                       [&] { frame = working_frame(points.positions); });
   to_working_frame(frame, points);
   RELIEF_TRY(drop_noise(points, options, unit, clean, result.report, progress));
   result.report.points = points.size();

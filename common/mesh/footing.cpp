@@ -58,8 +58,7 @@ Body body_of(const Points& mesh) {
   });
   Body body;
   for (const Body& part : parts) {
-    for (const glm::dvec3& corner : {part.bounds.min, part.bounds.max})
-      extend(body.bounds, corner);
+    for (const glm::dvec3& corner : {part.bounds.min, part.bounds.max}) extend(body.bounds, corner);
     body.centre += part.centre;
     body.area += part.area;
   }

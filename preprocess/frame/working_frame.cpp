@@ -1,5 +1,7 @@
 #include "preprocess/frame/working_frame.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstdint>
@@ -157,8 +159,10 @@ SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side) {
 
 void to_working_frame(const WorkingFrame& frame, Points& points) {
   if (frame == WorkingFrame{}) return;
-  for (glm::dvec3& p : points.positions)
+  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+    glm::dvec3& p = points.positions[i];
     p = glm::round(to_working_frame(frame, p) * kSteps) / kSteps;
+  });
   for (glm::vec3& normal : points.normals) normal = glm::dvec3(normal) * frame.axes;
   for (CornerTangents& corners : points.corner_tangents) {
     for (glm::vec4& tangent : corners) tangent = {glm::dvec3(tangent) * frame.axes, tangent.w};

@@ -67,16 +67,17 @@ class Merger {
     clusters_.resize(regions.size());
     alive_ = regions.size();
     std::vector<std::uint32_t> owner(samples.positions.size(), kNoCluster);
-    for (std::uint32_t c = 0; c < regions.size(); ++c) {
-      for (const std::uint32_t i : regions[c].points) {
+    tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t c) {
+      Cluster& cluster = clusters_[c];
+      cluster.region = std::move(regions[c]);
+      for (const std::uint32_t i : cluster.region.points) {
         const double a = double{samples.spacing[i]} * samples.spacing[i];
-        owner[i] = c;
-        clusters_[c].area += a;
-        clusters_[c].area_normal += a * glm::dvec3(samples.normals[i]);
+        owner[i] = static_cast<std::uint32_t>(c);
+        cluster.area += a;
+        cluster.area_normal += a * glm::dvec3(samples.normals[i]);
       }
-      total_area_ += clusters_[c].area;
-      clusters_[c].region = std::move(regions[c]);
-    }
+    });
+    for (const Cluster& cluster : clusters_) total_area_ += cluster.area;
     add_borders(graph, owner);
     for (Cluster& cluster : clusters_) {
       for (const auto& [other, length] : cluster.borders) cluster.perimeter += length;
@@ -213,15 +214,26 @@ class Merger {
     return clusters_[c.a].region.points.size() + clusters_[c.b].region.points.size() > kManyPoints;
   }
 
-  void try_all(std::vector<Trial>& trials) {
+  /// Computes the spreads that these trials need and that are not known yet.
+  void find_spreads(const std::vector<Trial>& trials) {
+    std::vector<std::uint32_t> unknown;
     for (const Trial& trial : trials) {
       if (!is_many(trial.candidate)) continue;
       for (const std::uint32_t c : {trial.candidate.a, trial.candidate.b}) {
-        Cluster& cluster = clusters_[c];
-        if (!cluster.spread)
-          cluster.spread = std::make_unique<NormalSpread>(samples_.normals, cluster.region.points);
+        if (!clusters_[c].spread) unknown.push_back(c);
       }
     }
+    std::ranges::sort(unknown);
+    const auto repeated = std::ranges::unique(unknown);
+    unknown.erase(repeated.begin(), repeated.end());
+    tbb::parallel_for(std::size_t{0}, unknown.size(), [&](std::size_t k) {
+      Cluster& cluster = clusters_[unknown[k]];
+      cluster.spread = std::make_unique<NormalSpread>(samples_.normals, cluster.region.points);
+    });
+  }
+
+  void try_all(std::vector<Trial>& trials) {
+    find_spreads(trials);
     if (trials.size() == 1) return try_union(trials.front());
     tbb::parallel_for(std::size_t{0}, trials.size(), [&](std::size_t t) { try_union(trials[t]); });
   }

@@ -55,17 +55,23 @@ class BorderMover {
         cos_cone_(static_cast<float>(std::cos(glm::radians(cone_degrees)))),
         weights_(weights),
         cells_(samples, regions),
-        waits_(cells_.size(), 0) {}
+        waits_(cells_.size(), 0),
+        moved_in_(cells_.size(), -1) {}
 
   void run() {
     std::vector<std::uint32_t> work = border_points();
     std::vector<std::uint32_t> next;
     for (int sweep = 0; sweep < kMaxSweeps && !work.empty(); ++sweep) {
       for (const std::uint32_t i : work) waits_[i] = 0;
-      for (const std::uint32_t i : work) {
-        const std::uint32_t to = best_region(i);
+      const std::vector<std::uint32_t> best = best_regions(work);
+      for (std::size_t k = 0; k < work.size(); ++k) {
+        const std::uint32_t i = work[k];
+        const bool is_moved_beside =
+            std::ranges::any_of(near(i), [&](std::uint32_t j) { return moved_in_[j] == sweep; });
+        const std::uint32_t to = is_moved_beside ? best_region(i) : best[k];
         if (to == cells_.owner(i)) continue;
         cells_.move(i, to);
+        moved_in_[i] = static_cast<std::int8_t>(sweep);
         for (const std::uint32_t j : near(i)) {
           if (waits_[j] != 0 || cells_.owner(j) == RegionCells::kNone) continue;
           waits_[j] = 1;
@@ -103,6 +109,15 @@ class BorderMover {
       if (waits_[i] != 0) found.push_back(i);
     }
     return found;
+  }
+
+  /// The best regions of some points before any of them moves.
+  [[nodiscard]] std::vector<std::uint32_t> best_regions(
+      const std::vector<std::uint32_t>& points) const {
+    std::vector<std::uint32_t> best(points.size());
+    tbb::parallel_for(std::size_t{0}, points.size(),
+                      [&](std::size_t k) { best[k] = best_region(points[k]); });
+    return best;
   }
 
   [[nodiscard]] float cosine(std::uint32_t point, std::uint32_t region) const {
@@ -143,7 +158,8 @@ class BorderMover {
   float cos_cone_;
   BorderWeights weights_;
   RegionCells cells_;
-  std::vector<std::uint8_t> waits_;  // for the next sweep
+  std::vector<std::uint8_t> waits_;    // for the next sweep
+  std::vector<std::int8_t> moved_in_;  // the last sweep that has moved a point; -1: none has
 };
 
 }  // namespace

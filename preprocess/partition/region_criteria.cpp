@@ -41,10 +41,13 @@ bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t 
   const double rough = std::min(samples.roughness[i], samples.roughness[j]);
   const double spacing = std::max(least_spacing, std::min(samples.spacing[i], samples.spacing[j]));
   const glm::dvec3 hop = samples.positions[j] - samples.positions[i];
-  const glm::dvec3 mean(glm::normalize(samples.normals[i] + samples.normals[j]));
-  return glm::length(hop) <= kLongestHop * spacing &&
-         std::abs(glm::dot(mean, hop)) <=
-             std::max(kSheetTolerance * spacing, kToleranceInRoughness * rough);
+  const double longest = kLongestHop * spacing;
+  if (!(glm::dot(hop, hop) <= longest * longest)) return false;
+  // Along the mean normal; squared, which spares two square roots.
+  const glm::dvec3 sum(samples.normals[i] + samples.normals[j]);
+  const double along = glm::dot(sum, hop);
+  const double tolerance = std::max(kSheetTolerance * spacing, kToleranceInRoughness * rough);
+  return along * along <= tolerance * tolerance * glm::dot(sum, sum);
 }
 
 SheetScale sheet_scale(const SurfaceSamples& samples, std::span<const std::uint32_t> points,

@@ -166,8 +166,7 @@ bool GrowthRules::is_free(Vertex from, Vertex to, Vertex apex) const {
   return free;
 }
 
-GrowthRules::Surroundings GrowthRules::surroundings_of(Vertex from, Vertex to,
-                                                       Vertex apex) const {
+GrowthRules::Surroundings GrowthRules::surroundings_of(Vertex from, Vertex to, Vertex apex) const {
   const NewTriangle triangle(front_, from, to, apex);
   return {triangle.middle(), triangle.over()};
 }
