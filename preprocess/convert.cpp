@@ -31,6 +31,7 @@
 #include "preprocess/partition/split_by_density.h"
 #include "preprocess/points/densify.h"
 #include "preprocess/points/even_out.h"
+#include "preprocess/points/sort_in_space.h"
 #include "preprocess/resample/attributes/scalars.h"
 #include "preprocess/resample/spacing/patch_spacing.h"
 #include "preprocess/sample_search.h"
@@ -320,6 +321,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
                                        Progress& progress) {
   const double unit = working_unit_of(points);
   to_working_unit(points, unit);
+  sort_in_space(points);
   RELIEF_TRY_ASSIGN(ConvertResult result,
                     convert_in_unit(points, to_working_unit(options, unit), unit, progress));
   to_world_unit(result, unit);

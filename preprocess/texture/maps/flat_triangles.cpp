@@ -6,11 +6,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numeric>
 #include <span>
 #include <utility>
 
 #include "common/mesh/nearest_on_triangle.h"
+#include "common/neighbours/morton.h"
 
 namespace relief {
 namespace {
@@ -25,37 +25,6 @@ constexpr double kMinMeanArea = 0.125;
 
 /// More than the rounding of sums of lengths in single precision.
 constexpr float kRounding = 1.0001F;
-
-/// Puts two zeros between any two of the lowest ten bits of a number.
-std::uint32_t spread_bits(std::uint32_t n) {
-  n = (n | n << 16) & 0x030000FFU;
-  n = (n | n << 8) & 0x0300F00FU;
-  n = (n | n << 4) & 0x030C30C3U;
-  return (n | n << 2) & 0x09249249U;
-}
-
-/// Interleaves the lowest ten bits of three numbers (Morton 1966).
-std::uint32_t morton_code(glm::uvec3 position) {
-  return spread_bits(position.x) | spread_bits(position.y) << 1 | spread_bits(position.z) << 2;
-}
-
-/// Returns the indices of codes of 30 bits in the order of the codes, equal ones in their own. By
-/// ten bits at a time, which takes a quarter of the time of comparisons.
-std::vector<std::uint32_t> order_of(const std::vector<std::uint32_t>& codes) {
-  constexpr std::uint32_t kDigits = 1024;
-  std::vector<std::uint32_t> order(codes.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::vector<std::uint32_t> sorted(codes.size());
-  for (std::uint32_t shift = 0; shift < 30; shift += 10) {
-    const auto digit = [&](std::uint32_t k) { return codes[k] >> shift & (kDigits - 1); };
-    std::array<std::uint32_t, kDigits + 1> starts{};
-    for (const std::uint32_t k : order) ++starts[digit(k) + 1];
-    for (std::uint32_t d = 0; d < kDigits; ++d) starts[d + 1] += starts[d];
-    for (const std::uint32_t k : order) sorted[starts[digit(k)]++] = k;
-    order.swap(sorted);
-  }
-  return order;
-}
 
 /// What single precision may get wrong of distances to a sphere's slab.
 float slack_of(glm::vec3 centre, float radius) {
@@ -156,14 +125,13 @@ bool are_finer_than_grid(const std::vector<FlatTriangle>& triangles) {
 }
 
 void TriangleSpheres::sort_by_position(std::vector<Sphere>& spheres, const Bounds& bounds) {
-  const glm::dvec3 size = bounds.max - bounds.min;
-  const double scale = 1023.0 / std::max({size.x, size.y, size.z, 1e-300});
-  std::vector<std::uint32_t> codes;
+  // Ten bits an axis tell spheres apart well enough, and are sorted in half the time.
+  constexpr unsigned kSpared = kMortonBits - 30;
+  const glm::dvec3 middle = 0.5 * (bounds.min + bounds.max);
+  std::vector<std::uint64_t> codes;
   codes.reserve(spheres.size());
-  for (const Sphere& sphere : spheres) {
-    const glm::dvec3 position = (glm::dvec3(sphere.centre) + 0.5 * size) * scale;
-    codes.push_back(morton_code(glm::uvec3(glm::clamp(position, 0.0, 1023.0))));
-  }
+  for (const Sphere& sphere : spheres)
+    codes.push_back(morton_code(middle + glm::dvec3(sphere.centre), bounds) >> kSpared);
   std::vector<Sphere> sorted;
   sorted.reserve(spheres.size());
   for (const std::uint32_t k : order_of(codes)) sorted.push_back(spheres[k]);

@@ -1,0 +1,62 @@
+#include "preprocess/points/sort_in_space.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "common/bounds.h"
+#include "common/mesh/triangle_order.h"
+#include "common/neighbours/morton.h"
+
+namespace relief {
+namespace {
+
+using Order = std::vector<std::uint32_t>;
+
+/// `values` may be empty.
+template <class T>
+void sort_by(const Order& order, std::vector<T>& values) {
+  if (values.empty()) return;
+  std::vector<T> sorted(values.size());
+  tbb::parallel_for(std::size_t{0}, order.size(),
+                    [&](std::size_t k) { sorted[k] = values[order[k]]; });
+  values = std::move(sorted);
+}
+
+Order order_in_space(const std::vector<glm::dvec3>& positions) {
+  const Bounds bounds = bounds_of(positions);
+  std::vector<std::uint64_t> codes(positions.size());
+  tbb::parallel_for(std::size_t{0}, codes.size(),
+                    [&](std::size_t i) { codes[i] = morton_code(positions[i], bounds); });
+  return order_of(codes);
+}
+
+void renumber(const Order& order, std::vector<Triangle>& triangles) {
+  Order places(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) places[order[k]] = k;
+  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t t) {
+    for (std::uint32_t& corner : triangles[t]) corner = places[corner];
+  });
+}
+
+}  // namespace
+
+void sort_in_space(Points& points) {
+  const Order order = order_in_space(points.positions);
+  sort_by(order, points.positions);
+  sort_by(order, points.normals);
+  sort_by(order, points.colours);
+  sort_by(order, points.texcoords);
+  sort_by(order, points.scanner_of);
+  for (PointScalar& scalar : points.scalars) sort_by(order, scalar.values);
+  if (points.triangles.empty()) return;
+  renumber(order, points.triangles);
+  const Order by_corner = order_triangles(points.triangles, points.size()).triangles;
+  sort_by(by_corner, points.triangles);
+  sort_by(by_corner, points.corner_texcoords);
+  sort_by(by_corner, points.corner_tangents);
+  sort_by(by_corner, points.triangle_materials);
+}
+
+}  // namespace relief
