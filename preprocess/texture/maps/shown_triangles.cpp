@@ -31,6 +31,18 @@ class Surface {
     continue_over_holes(heights_, kept);
   }
 
+  /// Its heights at the positions of a map's rows and columns, row by row.
+  [[nodiscard]] std::vector<double> at(const std::vector<double>& rows,
+                                       const std::vector<double>& columns) const {
+    std::vector<double> heights;
+    heights.reserve(rows.size() * columns.size());
+    for (const double row : rows) {
+      for (const double column : columns) heights.push_back(at({column, row}));
+    }
+    return heights;
+  }
+
+ private:
   [[nodiscard]] double at(glm::dvec2 position) const {
     const auto i = static_cast<std::uint32_t>(position.x);
     const auto j = static_cast<std::uint32_t>(position.y);
@@ -40,7 +52,6 @@ class Surface {
                         y * ((1.0 - x) * node(i, j + 1) + x * node(i + 1, j + 1)));
   }
 
- private:
   [[nodiscard]] double node(std::uint32_t i, std::uint32_t j) const {
     const std::size_t row = std::size_t{std::min(j, heights_.height - 1)} * heights_.width;
     return heights_.texels[row + std::min(i, heights_.width - 1)].x;
@@ -50,16 +61,25 @@ class Surface {
   double in_cells_;
 };
 
+/// Where the texels of a map's row or column are, cells.
+std::vector<double> texels_along(std::uint32_t side, double scale) {
+  std::vector<double> positions(side);
+  for (std::uint32_t k = 0; k < side; ++k) positions[k] = k / scale;
+  return positions;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_per_cell,
                                       const std::vector<FlatTriangle>& triangles) {
   const auto width = static_cast<std::uint32_t>(map_side(patch.width, texels_per_cell));
   const auto height = static_cast<std::uint32_t>(map_side(patch.height, texels_per_cell));
-  const Surface surface(patch);
   std::vector<std::uint32_t> shown(std::size_t{width} * height, kNoTriangle);
   std::vector<float> lowest_cost(shown.size(), std::numeric_limits<float>::infinity());
   const double scale = texels_per_cell;
+  const std::vector<double> columns = texels_along(width, scale);
+  const std::vector<double> rows = texels_along(height, scale);
+  const std::vector<double> surface = Surface(patch).at(rows, columns);
   // Whole texels of the map, often none.
   const auto first = [scale](double low, std::uint32_t side) {
     const double at = low * scale - 1e-6;
@@ -87,15 +107,14 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_p
     const std::uint32_t b1 = end(high, height);
     for (std::uint32_t b = first(low, height); b < b1; ++b) {
       for (std::uint32_t a = a0; a < a1; ++a) {
-        const glm::dvec2 position(a / scale, b / scale);
-        const glm::dvec3 areas = triangle.areas_at(position);
+        const glm::dvec3 areas = triangle.areas_at({columns[a], rows[b]});
         const glm::dvec3 inward = side * areas;
         if (inward.x < outside || inward.y < outside || inward.z < outside) continue;
         const glm::dvec3 weights = areas / triangle.twice_area;
         if (std::min({weights.x, weights.y, weights.z}) < kOnEdge) continue;
-        const double away = std::abs(glm::dot(weights, triangle.heights) - surface.at(position));
-        const auto cost = static_cast<float>(away + penalty);
         const std::size_t k = std::size_t{b} * width + a;
+        const double away = std::abs(glm::dot(weights, triangle.heights) - surface[k]);
+        const auto cost = static_cast<float>(away + penalty);
         if (away > kTexelReach || !(cost < lowest_cost[k])) continue;
         lowest_cost[k] = cost;
         shown[k] = t;
