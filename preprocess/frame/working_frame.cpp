@@ -175,11 +175,12 @@ void to_working_frame(const WorkingFrame& frame, Points& points) {
 void to_world_frame(const WorkingFrame& frame, std::vector<Patch>& patches) {
   if (frame == WorkingFrame{}) return;
   const bool left_handed = is_left_handed(frame);
-  for (Patch& patch : patches) {
+  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
+    Patch& patch = patches[p];
     patch.origin = frame.origin + frame.axes * patch.origin;
     patch.axes = frame.axes * patch.axes;
     if (left_handed) transpose(patch);
-  }
+  });
 }
 
 }  // namespace relief

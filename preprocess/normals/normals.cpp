@@ -27,11 +27,14 @@ bool usable(glm::vec3 n) {
 // nothing changes, as neighbours may lack normals too.
 void fill_missing(const Points& points, const NeighbourGraph& graph, const LocalFrames& frames,
                   std::vector<glm::vec3>& normals, std::vector<std::uint8_t>& missing) {
+  std::vector<std::uint32_t> left;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (missing[i] != 0) left.push_back(i);
+  }
   std::vector<std::uint32_t> filled;
   do {
     filled.clear();
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-      if (missing[i] == 0) continue;
+    for (const std::uint32_t i : left) {
       float side = 0.0F;
       bool seen = false;
       for (const std::uint32_t j : graph.of(i)) {
@@ -44,6 +47,7 @@ void fill_missing(const Points& points, const NeighbourGraph& graph, const Local
       filled.push_back(i);
     }
     for (const std::uint32_t i : filled) missing[i] = 0;
+    std::erase_if(left, [&](std::uint32_t i) { return missing[i] == 0; });
   } while (!filled.empty());
 }
 

@@ -115,40 +115,38 @@ class Merger {
   }
 
  private:
+  /// What a cluster's own points tell of its borders.
+  struct OwnBorders {
+    Borders all;
+    Borders creases;
+  };
+
   void add_borders(const NeighbourGraph& graph, const std::vector<std::uint32_t>& owner) {
     const std::size_t near = std::min<std::size_t>(kBorderNeighbours, graph.k);
-    // For each point, a bit for each neighbour in another cluster.
-    std::vector<std::uint8_t> across(owner.size(), 0);
-    tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(owner.size()), [&](auto i) {
-      if (owner[i] == kNoCluster) return;
-      for (std::size_t m = 0; m < near; ++m) {
-        const std::uint32_t j = graph.of(i)[m];
-        if (owner[j] == owner[i] || owner[j] == kNoCluster || !on_one_sheet(samples_, i, j))
-          continue;
-        across[i] |= static_cast<std::uint8_t>(1U << m);
+    std::vector<OwnBorders> own(clusters_.size());
+    tbb::parallel_for(std::size_t{0}, clusters_.size(), [&](std::size_t c) {
+      for (const std::uint32_t i : clusters_[c].region.points) {
+        for (const std::uint32_t j : graph.of(i).first(near)) {
+          if (owner[j] == c || owner[j] == kNoCluster || !on_one_sheet(samples_, i, j)) continue;
+          // A point at a straight border has about 3 of its 8 neighbours beyond it; both sides
+          // count.
+          const double length = double{samples_.spacing[i]} / 6.0;
+          own[c].all[owner[j]] += length;
+          if (is_crease(i, j)) own[c].creases[owner[j]] += length;
+        }
       }
     });
-    for (std::uint32_t i = 0; i < owner.size(); ++i) {
-      for (std::size_t m = 0; across[i] >> m != 0; ++m) {
-        if ((across[i] >> m & 1) == 0) continue;
-        const std::uint32_t other = owner[graph.of(i)[m]];
-        // A point at a straight border has about 3 of its 8 neighbours beyond it; both sides count.
-        const double length = double{samples_.spacing[i]} / 6.0;
-        Cluster& lower = clusters_[std::min(owner[i], other)];
-        const std::uint32_t higher = std::max(owner[i], other);
-        lower.borders[higher] += length;
-        if (is_crease(i, graph.of(i)[m])) lower.creases[higher] += length;
-      }
-    }
-    // Borders are symmetric: computed for the lower cluster, then copied.
     for (std::uint32_t c = 0; c < clusters_.size(); ++c) {
-      for (const auto& [other, length] : clusters_[c].borders) {
-        if (other > c) clusters_[other].borders[c] = length;
-      }
-      for (const auto& [other, length] : clusters_[c].creases) {
-        if (other > c) clusters_[other].creases[c] = length;
-      }
+      for (const auto& [other, length] : own[c].all)
+        add_to_both(c, other, &Cluster::borders, length);
+      for (const auto& [other, length] : own[c].creases)
+        add_to_both(c, other, &Cluster::creases, length);
     }
+  }
+
+  void add_to_both(std::uint32_t a, std::uint32_t b, Borders Cluster::*kind, double length) {
+    (clusters_[a].*kind)[b] += length;
+    (clusters_[b].*kind)[a] += length;
   }
 
   [[nodiscard]] bool is_crease(std::uint32_t i, std::uint32_t j) const {

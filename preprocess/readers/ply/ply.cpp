@@ -135,17 +135,20 @@ class PlyBody {
   Status read_lists(const PlyElement& element) {
     const std::vector<Role> roles = colour_roles(element);
     const std::optional<ColourNumbers> colours = numbers_of_colours(element, roles);
+    const std::vector<Use> uses = uses_of(element, roles);
+    const bool has_strips = element.name == "tristrips";
+    const bool has_faces = element.name == "face";
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!values_.begin_element()) return failure(element, i);
       list_.clear();
       textures_.begin_face();
       for (std::size_t p = 0; p < roles.size(); ++p) {
-        if (!read_property(element, element.properties[p], roles[p])) return failure(element, i);
+        if (!read_property(element.properties[p], uses[p], roles[p])) return failure(element, i);
       }
       if (source_.sink == nullptr) {
         const std::size_t before = points_.triangles.size();
-        if (element.name == "tristrips") append_strips(list_, points_.triangles);
-        if (element.name == "face") append_polygon(list_, points_.triangles);
+        if (has_strips) append_strips(list_, points_.triangles);
+        if (has_faces) append_polygon(list_, points_.triangles);
         textures_.end_face(list_.size(), before, points_.triangles.size());
         if (colours) colours_.add(colour_, *colours, before, points_.triangles.size());
       }
@@ -155,25 +158,47 @@ class PlyBody {
     return {};
   }
 
-  bool read_property(const PlyElement& element, const PlyProperty& property, Role role) {
+  /// What a property of faces or strips is for.
+  enum class Use : std::uint8_t { None, Corners, Texcoords, Texture, Colour };
+
+  static std::vector<Use> uses_of(const PlyElement& element, const std::vector<Role>& roles) {
     const bool face = element.name == "face";
-    const std::string& name = property.name;
-    if (property.count_type) {
-      if ((face || element.name == "tristrips") &&
-          (name == "vertex_indices" || name == "vertex_index"))
-        return read_list(property, [this](double value) { list_.push_back(to_index(value)); });
-      if (face && name == "texcoord")
-        return read_list(property, [this](double value) { textures_.add_coordinate(value); });
-    } else if (face && name == "texnumber") {
-      double value = 0.0;
-      if (!values_.value(property.type, value)) return false;
-      textures_.set_number(value);
-      return true;
-    } else if (is_colour(role)) {
-      double value = 0.0;
-      if (!values_.value(property.type, value)) return false;
-      colour_[role - Red] = static_cast<float>(value);
-      return true;
+    std::vector<Use> uses;
+    for (std::size_t p = 0; p < roles.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      const std::string& name = property.name;
+      Use use = Use::None;
+      if (property.count_type) {
+        const bool corners = name == "vertex_indices" || name == "vertex_index";
+        if (corners && (face || element.name == "tristrips")) use = Use::Corners;
+        if (face && name == "texcoord") use = Use::Texcoords;
+      } else if (face && name == "texnumber") {
+        use = Use::Texture;
+      } else if (is_colour(roles[p])) {
+        use = Use::Colour;
+      }
+      uses.push_back(use);
+    }
+    return uses;
+  }
+
+  bool read_property(const PlyProperty& property, Use use, Role role) {
+    double value = 0.0;
+    switch (use) {
+      case Use::Corners:
+        return read_list(property, [this](double index) { list_.push_back(to_index(index)); });
+      case Use::Texcoords:
+        return read_list(property, [this](double x) { textures_.add_coordinate(x); });
+      case Use::Texture:
+        if (!values_.value(property.type, value)) return false;
+        textures_.set_number(value);
+        return true;
+      case Use::Colour:
+        if (!values_.value(property.type, value)) return false;
+        colour_[role - Red] = static_cast<float>(value);
+        return true;
+      case Use::None:
+        break;
     }
     return skip_property(property);
   }
