@@ -152,6 +152,8 @@ class NodeJudge {
   Votes count_votes(const Spot& spot) {
     Votes votes;
     directions_.clear();
+    heard_.clear();
+    bool are_own = true;
     const PatchPoints& points = around_.points;
     around_.all.for_each_within(
         spot.position.x, spot.position.y, kSearchInSpacings * std::max(grid_.spacing, widest_),
@@ -163,19 +165,35 @@ class NodeJudge {
           const double relative = squared / (spacing * spacing);
           if (relative <= kSearchInSpacings * kSearchInSpacings) directions_.push_back(d);
           votes.nearest = std::min(votes.nearest, squared);
-          (p < points.own                       ? votes.own
-           : points.ids[p] >= around_.of_others ? votes.tiles
-                                                : votes.others) +=
-              std::exp(-relative / (kVoteInSpacings * kVoteInSpacings));
+          are_own = are_own && p < points.own;
+          heard_.push_back({p, relative});
         });
+    // Most nodes, even near borders, have no points about them but their region's.
+    if (are_own) {
+      votes.own = heard_.empty() ? 0.0 : 1.0;
+      return votes;
+    }
+    for (const Voice& voice : heard_) {
+      (voice.point < points.own                       ? votes.own
+       : points.ids[voice.point] >= around_.of_others ? votes.tiles
+                                                      : votes.others) +=
+          std::exp(-voice.relative / (kVoteInSpacings * kVoteInSpacings));
+    }
     return votes;
   }
+
+  /// A point that has a vote.
+  struct Voice {
+    std::uint32_t point = 0;
+    double relative = 0.0;  ///< squared distance in spacings
+  };
 
   const PatchSurroundings& around_;
   const PatchGrid& grid_;
   const std::vector<glm::vec3>& normals_;
   double widest_ = 0.0;  ///< spacing of the region's points
   std::vector<glm::dvec3> directions_;
+  std::vector<Voice> heard_;
 };
 
 }  // namespace
