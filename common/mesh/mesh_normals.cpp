@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace relief {
 namespace {
@@ -17,17 +18,21 @@ bool usable(glm::vec3 normal) {
 std::vector<glm::vec3> normals_from_triangles(const Points& points) {
   std::vector<glm::dvec3> sums(points.size(), glm::dvec3(0.0));
   for (const Triangle& t : points.triangles) {
-    const glm::dvec3 p[3] = {points.positions[t[0]], points.positions[t[1]],
-                             points.positions[t[2]]};
-    const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const glm::dvec3 a = points.positions[t[0]];
+    const glm::dvec3 b = points.positions[t[1]];
+    const glm::dvec3 c = points.positions[t[2]];
+    const glm::dvec3 cross = glm::cross(b - a, c - a);
     const double length = glm::length(cross);
     if (!(length > 0.0)) continue;
-    for (int c = 0; c < 3; ++c) {
-      const glm::dvec3 e = glm::normalize(p[(c + 1) % 3] - p[c]);
-      const glm::dvec3 f = glm::normalize(p[(c + 2) % 3] - p[c]);
-      sums[t[static_cast<std::size_t>(c)]] +=
-          std::acos(std::clamp(glm::dot(e, f), -1.0, 1.0)) * cross / length;
-    }
+    const glm::dvec3 normal = cross / length;
+    const glm::dvec3 ab = glm::normalize(b - a);
+    const glm::dvec3 bc = glm::normalize(c - b);
+    const glm::dvec3 ca = glm::normalize(a - c);
+    const double at_a = std::acos(std::clamp(-glm::dot(ca, ab), -1.0, 1.0));
+    const double at_b = std::acos(std::clamp(-glm::dot(ab, bc), -1.0, 1.0));
+    sums[t[0]] += at_a * normal;
+    sums[t[1]] += at_b * normal;
+    sums[t[2]] += std::max(std::numbers::pi - at_a - at_b, 0.0) * normal;
   }
   std::vector<glm::vec3> normals(points.size(), glm::vec3(0.0F));
   for (std::size_t i = 0; i < sums.size(); ++i) {
