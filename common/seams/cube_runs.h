@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "common/seams/flat_map.h"
+#include "common/flat_map.h"
 
 namespace relief {
 

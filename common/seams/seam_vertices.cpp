@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/flat_map.h"
 #include "common/mesh/creases.h"
 #include "common/seams/crease_between.h"
-#include "common/seams/flat_map.h"
 #include "common/seams/planes.h"
 
 namespace relief {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "common/mesh/coarse_mesh.h"
 #include "preprocess/points/triangle_points.h"
@@ -58,6 +59,11 @@ std::size_t densify_triangles(Points& points, std::size_t at_least) {
   const std::vector<std::uint32_t> large = with_long_edges(points, kLongEdge * spacing);
   // Counted only as far as allowed: needles could ask for thousands of points each.
   const auto fits = [&](double step) {
+    const TrianglePoints places(points, kLongEdge * step, step);
+    const double at_most =
+        std::accumulate(large.begin(), large.end(), 0.0,
+                        [&](double sum, std::uint32_t k) { return sum + places.most_on(k); });
+    if (at_most <= static_cast<double>(kMaxAddedPerPoint * wanted)) return true;
     std::size_t count = 0;
     return for_each_added(points, large, step, [&](const Triangle&, glm::dvec3) {
       return ++count <= kMaxAddedPerPoint * wanted;

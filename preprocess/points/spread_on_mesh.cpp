@@ -3,9 +3,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <unordered_map>
 #include <utility>
 
+#include "common/flat_map.h"
 #include "common/mesh/coarse_mesh.h"
 #include "preprocess/points/no_point.h"
 #include "preprocess/points/triangle_points.h"
@@ -38,9 +38,11 @@ class SpacedPoints {
     if (glm::length(normal) > 0.0F) normal = glm::normalize(normal);
     const glm::dvec3 position = points_.positions.back();
     if (has_near(position, normal)) return drop_last();
-    std::uint32_t& first = first_.try_emplace(key(cube_of(position)), kNoPoint).first->second;
-    next_.push_back(first);
-    first = static_cast<std::uint32_t>(points_.size() - 1);
+    const std::uint32_t cube =
+        cubes_.insert(key(cube_of(position)), static_cast<std::uint32_t>(first_.size()));
+    if (cube == first_.size()) first_.push_back(kNoPoint);
+    next_.push_back(first_[cube]);
+    first_[cube] = static_cast<std::uint32_t>(points_.size() - 1);
     triangles_.push_back(triangle);
   }
 
@@ -63,9 +65,9 @@ class SpacedPoints {
     const glm::dvec3 middle = cube_of(position);
     for (int c = 0; c < 27; ++c) {
       const glm::dvec3 cube = middle + glm::dvec3(c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1);
-      const auto at = first_.find(key(cube));
-      if (at == first_.end()) continue;
-      for (std::uint32_t i = at->second; i != kNoPoint; i = next_[i]) {
+      const std::uint32_t at = cubes_.find(key(cube));
+      if (at == FlatMap::kNone) continue;
+      for (std::uint32_t i = first_[at]; i != kNoPoint; i = next_[i]) {
         if (glm::distance(points_.positions[i], position) < distance_ &&
             glm::dot(points_.normals[i], normal) >= kOppositeCosine)
           return true;
@@ -89,9 +91,18 @@ class SpacedPoints {
   double distance_;
   Points points_;
   std::vector<std::uint32_t> triangles_;
-  std::unordered_map<std::uint64_t, std::uint32_t> first_;  ///< of a cube
-  std::vector<std::uint32_t> next_;                         ///< in the same cube
+  FlatMap cubes_;                     ///< numbers of cubes
+  std::vector<std::uint32_t> first_;  ///< in each cube
+  std::vector<std::uint32_t> next_;   ///< in the same cube
 };
+
+/// Whether a mesh surely has no more places about `step` apart.
+bool has_at_most(const Points& mesh, double step, std::size_t most) {
+  const TrianglePoints places(mesh, 0.0, step);
+  auto sum = static_cast<double>(mesh.size());
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) sum += places.most_on(k);
+  return sum <= static_cast<double>(most);
+}
 
 /// Calls `add(number of the triangle, corners, weights)` for the places of a mesh, about `step`
 /// apart. Ends when that returns false, and returns whether it never did.
@@ -125,6 +136,7 @@ SpreadPoints spread_on_mesh(const Points& mesh, std::size_t count, const Progres
   if (!(step > 0.0) || !std::isfinite(step)) return {};
   const std::size_t most = kMostLooks * std::max(count, mesh.size());
   const auto fits = [&](double length) {
+    if (has_at_most(mesh, length, most)) return true;
     std::size_t looks = 0;
     return for_each_place(
         mesh, length, [&](std::uint32_t, const Triangle&, glm::dvec3) { return ++looks <= most; });

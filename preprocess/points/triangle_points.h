@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <unordered_set>
 
+#include "common/flat_map.h"
 #include "common/points.h"
 
 namespace relief {
@@ -24,6 +24,21 @@ class TrianglePoints {
   TrianglePoints(const Points& mesh, double longest_left_alone, double step)
       : mesh_(mesh), longest_left_alone_(longest_left_alone), step_(step) {}
 
+  /// Returns a number of points that a triangle does not have more of, edges included.
+  [[nodiscard]] double most_on(std::size_t triangle) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    const std::array lengths{length_of(t, 0), length_of(t, 1), length_of(t, 2)};
+    const double longest = *std::ranges::max_element(lengths);
+    if (longest <= longest_left_alone_) return 0.0;
+    double sum = 0.0;
+    for (const double length : lengths) sum += count_pieces(length) - 1;
+    const glm::dvec3 first = mesh_.positions[t[0]];
+    const double twice_area =
+        glm::length(glm::cross(mesh_.positions[t[1]] - first, mesh_.positions[t[2]] - first));
+    const int rows = count_pieces(twice_area / longest);
+    return sum + static_cast<double>(rows) * count_pieces(longest);
+  }
+
   /// Calls `add(triangle, weights)` for the points of a triangle's edges that no earlier one had.
   /// Ends when that returns false, and returns whether it never did; so does the next one.
   template <class Add>
@@ -33,8 +48,7 @@ class TrianglePoints {
       const std::uint32_t a = std::min(t[c], t[(c + 1) % 3]);
       const std::uint32_t b = std::max(t[c], t[(c + 1) % 3]);
       const double length = length_of(t, c);
-      if (length <= longest_left_alone_ || !edges_done_.insert(std::uint64_t{a} << 32 | b).second)
-        continue;
+      if (length <= longest_left_alone_ || !is_first(a, b)) continue;
       const int pieces = count_pieces(length);
       for (int i = 1; i < pieces; ++i) {
         const double s = static_cast<double>(i) / pieces;
@@ -69,6 +83,12 @@ class TrianglePoints {
   }
 
  private:
+  /// Whether this is the first call with an edge.
+  bool is_first(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t number = edges_++;
+    return edges_done_.insert(std::uint64_t{a} << 32U | b, number) == number;
+  }
+
   /// Of the edge from a corner to the next.
   [[nodiscard]] double length_of(const Triangle& t, std::size_t corner) const {
     return glm::distance(mesh_.positions[t[corner]], mesh_.positions[t[(corner + 1) % 3]]);
@@ -80,7 +100,8 @@ class TrianglePoints {
   const Points& mesh_;
   double longest_left_alone_;
   double step_;
-  std::unordered_set<std::uint64_t> edges_done_;
+  FlatMap edges_done_;  ///< in the order that they were asked about
+  std::uint32_t edges_ = 0;
 };
 
 /// Appends a point of a mesh's triangle to `points`, with attributes that are interpolated; labels

@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "common/flat_map.h"
 #include "common/seams/cell_triangles.h"
-#include "common/seams/flat_map.h"
 #include "common/seams/make_seams.h"
 #include "renderer/store/patch_attributes.h"
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "common/flat_map.h"
 #include "common/points.h"
 #include "common/seams/border_mesh.h"
-#include "common/seams/flat_map.h"
 
 namespace relief {
 
