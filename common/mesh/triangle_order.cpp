@@ -3,8 +3,17 @@
 #include <tbb/parallel_for.h>
 
 #include <numeric>
+#include <tuple>
 
 namespace relief {
+namespace {
+
+Triangle sorted(Triangle t) {
+  std::ranges::sort(t);
+  return t;
+}
+
+}  // namespace
 
 TriangleOrder order_triangles(std::span<const Triangle> triangles, std::size_t points,
                               std::span<const std::uint8_t> left_out) {
@@ -24,8 +33,9 @@ TriangleOrder order_triangles(std::span<const Triangle> triangles, std::size_t p
   tbb::parallel_for(std::size_t{0}, points, [&](std::size_t corner) {
     const std::span own = order.at(corner);
     if (own.size() < 2) return;
-    std::ranges::sort(own, {},
-                      [&](std::uint32_t t) { return std::pair(smallest_first(triangles[t]), t); });
+    std::ranges::sort(own, {}, [&](std::uint32_t t) {
+      return std::tuple(sorted(triangles[t]), smallest_first(triangles[t]), t);
+    });
   });
   return order;
 }

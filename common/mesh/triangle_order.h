@@ -17,10 +17,12 @@ namespace relief {
   return t;
 }
 
-/// Indices of triangles by their smallest corner, those of one corner by the others.
+/// Indices of triangles by their smallest corner, then by the next ones, whatever their winding.
+/// Of triangles with the same corners, those of one winding come first; equal ones are in their own
+/// order.
 struct TriangleOrder {
-  std::vector<std::uint32_t> triangles;  ///< equal ones in their own order
-  std::vector<std::uint32_t> ends;       ///< where each corner's triangles end
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> ends;  ///< where each corner's triangles end
 
   /// Those whose smallest corner is this one.
   [[nodiscard]] std::span<std::uint32_t> at(std::size_t corner) {

@@ -8,6 +8,7 @@
 #include "common/bounds.h"
 #include "common/mesh/triangle_order.h"
 #include "common/neighbours/morton.h"
+#include "preprocess/frame/working_frame.h"
 
 namespace relief {
 namespace {
@@ -25,10 +26,14 @@ void sort_by(const Order& order, std::vector<T>& values) {
 }
 
 Order order_in_space(const std::vector<glm::dvec3>& positions) {
-  const Bounds bounds = bounds_of(positions);
+  const WorkingFrame frame = working_frame(positions);
+  std::vector<glm::dvec3> in_frame(positions.size());
+  tbb::parallel_for(std::size_t{0}, positions.size(),
+                    [&](std::size_t i) { in_frame[i] = to_working_frame(frame, positions[i]); });
+  const Bounds bounds = bounds_of(in_frame);
   std::vector<std::uint64_t> codes(positions.size());
   tbb::parallel_for(std::size_t{0}, codes.size(),
-                    [&](std::size_t i) { codes[i] = morton_code(positions[i], bounds); });
+                    [&](std::size_t i) { codes[i] = morton_code(in_frame[i], bounds); });
   return order_of(codes);
 }
 

@@ -5,11 +5,11 @@
 
 namespace relief {
 
-/// Sorts points along the Morton curve, with their attributes, and triangles by their first corner
-/// in that order. What is near is then near in memory, whatever the file's order: conversions of
-/// the Dragon take a tenth less time, of its points shuffled a third. It also makes them
-/// independent of that order, but for points in one place. All positions are finite; triangles are
-/// whole.
+/// Sorts points along the Morton curve in the scan's own frame (working_frame), with their
+/// attributes, and triangles by their corners in that order. What is near is then near in memory,
+/// whatever the file's order: conversions of the Dragon take a tenth less time, of its points
+/// shuffled a third. Patches do not depend on the file's order, but for points in one place. All
+/// positions are finite; triangles are whole.
 void sort_in_space(Points& points);
 
 }  // namespace relief
