@@ -319,9 +319,9 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
 
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
+  sort_in_space(points);
   const double unit = working_unit_of(points);
   to_working_unit(points, unit);
-  sort_in_space(points);
   RELIEF_TRY_ASSIGN(ConvertResult result,
                     convert_in_unit(points, to_working_unit(options, unit), unit, progress));
   to_world_unit(result, unit);

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "common/mesh/triangle_order.h"
+
 namespace relief {
 namespace {
 
@@ -17,7 +19,9 @@ bool usable(glm::vec3 normal) {
 
 std::vector<glm::vec3> normals_from_triangles(const Points& points) {
   std::vector<glm::dvec3> sums(points.size(), glm::dvec3(0.0));
-  for (const Triangle& t : points.triangles) {
+  for (const Triangle& triangle : points.triangles) {
+    // Rounding does not depend on where a triangle begins.
+    const Triangle t = smallest_first(triangle);
     const glm::dvec3 a = points.positions[t[0]];
     const glm::dvec3 b = points.positions[t[1]];
     const glm::dvec3 c = points.positions[t[2]];

@@ -30,6 +30,7 @@ TriangleOrder order_triangles(std::span<const Triangle> triangles, std::size_t p
   // Each corner's begin becomes its end.
   for_each(
       [&](std::uint32_t t, std::uint32_t corner) { order.triangles[order.ends[corner]++] = t; });
+  order.ends.pop_back();
   tbb::parallel_for(std::size_t{0}, points, [&](std::size_t corner) {
     const std::span own = order.at(corner);
     if (own.size() < 2) return;

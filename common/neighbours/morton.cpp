@@ -23,6 +23,7 @@ std::uint64_t morton_code(glm::dvec3 position, const Bounds& box) {
   constexpr double kSteps = 1U << kMortonBits / 3;
   const glm::dvec3 size = box.max - box.min;
   const double scale = kSteps / std::max({size.x, size.y, size.z, 1e-300});
+  if (!(scale > 0.0)) return 0;  // the box is too wide for doubles
   const glm::dvec3 at = glm::clamp((position - box.min) * scale, 0.0, kSteps - 1.0);
   return spread_bits(static_cast<std::uint64_t>(at.x)) |
          spread_bits(static_cast<std::uint64_t>(at.y)) << 1U |

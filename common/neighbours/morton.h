@@ -13,7 +13,8 @@ namespace relief {
 inline constexpr unsigned kMortonBits = 60;
 
 /// Returns a position's place along the Morton curve (Morton 1966) through the cube at the lower
-/// corner of `box` that holds it. Positions outside count to the cube's sides.
+/// corner of `box` that holds it. Positions outside count to the cube's sides. 0 in a box
+/// whose sides overflow.
 [[nodiscard]] std::uint64_t morton_code(glm::dvec3 position, const Bounds& box);
 
 /// Returns the indices of codes in the order of the codes, equal ones in their own.

@@ -151,6 +151,11 @@ glm::dvec3 to_working_frame(const WorkingFrame& frame, const glm::dvec3& positio
   return (position - frame.origin) * frame.axes;
 }
 
+glm::dvec3 on_steps(const glm::dvec3& in_frame, double unit) {
+  const double steps = kSteps / unit;
+  return glm::round(in_frame * steps) / steps;
+}
+
 SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side) {
   side.toward = to_working_frame(frame, side.toward);
   side.up = side.up * frame.axes;
@@ -161,7 +166,7 @@ void to_working_frame(const WorkingFrame& frame, Points& points) {
   if (frame == WorkingFrame{}) return;
   tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
     glm::dvec3& p = points.positions[i];
-    p = glm::round(to_working_frame(frame, p) * kSteps) / kSteps;
+    p = on_steps(to_working_frame(frame, p));
   });
   for (glm::vec3& normal : points.normals) normal = glm::dvec3(normal) * frame.axes;
   for (CornerTangents& corners : points.corner_tangents) {

@@ -34,6 +34,10 @@ void to_working_frame(const WorkingFrame& frame, Points& points);
 [[nodiscard]] SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side);
 [[nodiscard]] glm::dvec3 to_working_frame(const WorkingFrame& frame, const glm::dvec3& position);
 
+/// Rounds a position in a frame, so that it is the same whichever way the scan lies. `unit`: about
+/// as long as the scan is wide.
+[[nodiscard]] glm::dvec3 on_steps(const glm::dvec3& in_frame, double unit = 1.0);
+
 /// Moves patches from a working frame to the world's. They stay right-handed: from a left-handed
 /// frame their rows become columns.
 void to_world_frame(const WorkingFrame& frame, std::vector<Patch>& patches);

@@ -45,12 +45,11 @@ Middle middle_of(const std::vector<glm::dvec3>& positions) {
   return middle;
 }
 
-/// 1 without a length.
+}  // namespace
+
 double power_of_two_below(double length) {
   return length > 0.0 && std::isfinite(length) ? std::ldexp(1.0, std::ilogb(length)) : 1.0;
 }
-
-}  // namespace
 
 double working_unit(const std::vector<glm::dvec3>& positions) {
   return positions.empty() ? 1.0 : power_of_two_below(middle_of(positions).distance);

@@ -10,6 +10,9 @@
 
 namespace relief {
 
+/// Returns the largest power of two that is not above a length; 1 without a finite length.
+[[nodiscard]] double power_of_two_below(double length);
+
 /// Returns the power of two, in world units, that is about half as wide as a scan: the median
 /// distance of its points from their middle, so that stray points far away do not count. 1 if the
 /// scan has no extent. In this unit squares and fourth powers of lengths fit into single precision,

@@ -3,12 +3,14 @@
 #include <tbb/parallel_for.h>
 
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "common/bounds.h"
 #include "common/mesh/triangle_order.h"
 #include "common/neighbours/morton.h"
 #include "preprocess/frame/working_frame.h"
+#include "preprocess/frame/working_unit.h"
 
 namespace relief {
 namespace {
@@ -25,15 +27,27 @@ void sort_by(const Order& order, std::vector<T>& values) {
   values = std::move(sorted);
 }
 
-Order order_in_space(const std::vector<glm::dvec3>& positions) {
+/// Positions in the scan's own frame, rounded: however the scan lies, and in whatever order its
+/// points come, they are in the same cells of the curve.
+std::vector<glm::dvec3> in_own_frame(const std::vector<glm::dvec3>& positions) {
   const WorkingFrame frame = working_frame(positions);
-  std::vector<glm::dvec3> in_frame(positions.size());
-  tbb::parallel_for(std::size_t{0}, positions.size(),
-                    [&](std::size_t i) { in_frame[i] = to_working_frame(frame, positions[i]); });
-  const Bounds bounds = bounds_of(in_frame);
-  std::vector<std::uint64_t> codes(positions.size());
+  std::vector<glm::dvec3> own(positions.size());
+  const auto for_each = [&own](const auto& fn) {
+    tbb::parallel_for(std::size_t{0}, own.size(), fn);
+  };
+  for_each([&](std::size_t i) { own[i] = to_working_frame(frame, positions[i]); });
+  const Bounds bounds = bounds_of(own);
+  const double unit = power_of_two_below(glm::distance(bounds.min, bounds.max));
+  for_each([&](std::size_t i) { own[i] = on_steps(own[i], unit); });
+  return own;
+}
+
+Order order_in_space(const std::vector<glm::dvec3>& positions) {
+  const std::vector<glm::dvec3> own = in_own_frame(positions);
+  const Bounds bounds = bounds_of(own);
+  std::vector<std::uint64_t> codes(own.size());
   tbb::parallel_for(std::size_t{0}, codes.size(),
-                    [&](std::size_t i) { codes[i] = morton_code(in_frame[i], bounds); });
+                    [&](std::size_t i) { codes[i] = morton_code(own[i], bounds); });
   return order_of(codes);
 }
 

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "common/octahedral.h"
+#include "tests/preprocess/shuffled.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {
@@ -195,6 +196,17 @@ TEST(Convert, AMeshOfFewPointsIsItsTriangles) {
   EXPECT_EQ(turned.model.patches.size(), result.model.patches.size());
   EXPECT_EQ(count_samples(turned.model), count_samples(result.model));
   EXPECT_TRUE(turned.model.is_closed);
+}
+
+TEST(Convert, GivesTheSameWhateverTheFilesOrder) {
+  const Points mesh = torus_mesh(200, 90);
+  Points bare = mesh;
+  bare.triangles.clear();
+  for (const Points& scan : {mesh, bare}) {
+    const ConvertResult result = must_convert(scan);
+    for (const unsigned seed : {1U, 2U})
+      EXPECT_TRUE(same_model(result.model, must_convert(test::shuffled(scan, seed)).model)) << seed;
+  }
 }
 
 TEST(Convert, LeavesVerticesOfMeshesAsTheyAreUnlessAsked) {

@@ -2,6 +2,7 @@
 #include "common/seams/make_seams.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,32 @@ Patch flat_patch(
 void expect_sheet(const test::JoinedMesh& mesh) {
   for (const Triangle& t : mesh.triangles) EXPECT_GT(mesh.normal_of(t).z, 0.0);
   for (const auto& [edge, count] : mesh.edges()) EXPECT_EQ(count, 1);
+}
+
+/// Patches in a chequered field, of which each ends half a step from the next, at an angle.
+std::vector<Patch> field_of_patches() {
+  std::vector<Patch> patches;
+  for (int j = 0; j < 12; ++j) {
+    for (int i = 0; i < 12; ++i)
+      patches.push_back(flat_patch(10.4 * i + 0.03 * j, 10.3 * j - 0.05 * i, 10, 10));
+  }
+  return patches;
+}
+
+TEST(Seams, AreTheSameOnAnyNumberOfThreads) {
+  const std::vector<Patch> patches = field_of_patches();
+  const auto on_threads = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return make_seams(patches).triangles;
+  };
+  const auto one = on_threads(1);
+  EXPECT_EQ(on_threads(2), one);
+  EXPECT_EQ(on_threads(4), one);
+  // So many candidates wait that rounds are large.
+  std::size_t count = 0;
+  for (const std::vector<Triangle>& own : one) count += own.size();
+  EXPECT_GT(count, 4000U);
+  expect_sheet(test::joined_mesh(patches));
 }
 
 TEST(Seams, CloseTheGapBetweenTwoPatches) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "tests/preprocess/prepared.h"
 #include "tests/preprocess/resample/laid_points.h"
 #include "tests/preprocess/surfaces.h"
@@ -69,6 +71,53 @@ PatchPoints points_at(const std::vector<glm::dvec3>& positions, glm::vec3 normal
 MlsPoint fit_at_origin(const PatchPoints& points) {
   const PointGrid grid(points, points.size(), kMlsStep);
   return evaluate_mls(points, grid, grid, 0.0, 0.0, kMlsStep, false);
+}
+
+TEST(BlendTangents, ReproducesAPlaneExactly) {
+  std::vector<glm::dvec3> leaning;
+  for (int i = -6; i <= 6; ++i) {
+    for (int j = -6; j <= 6; ++j) leaning.emplace_back(i, j + 0.3 * (i % 2), 0.5 * i - 0.25 * j);
+  }
+  for (glm::dvec3& p : leaning) p.z = 0.5 * p.x - 0.25 * p.y;
+  const glm::vec3 normal = glm::normalize(glm::vec3(-0.5F, 0.25F, 1.0F));
+  const PatchPoints points = points_at(leaning, normal);
+  const PointGrid grid(points, points.size(), kMlsStep);
+  for (const glm::dvec2 at : {glm::dvec2(0, 0), glm::dvec2(1.3, -2.1), glm::dvec2(-7, 6.5)}) {
+    const MlsPoint surface =
+        blend_tangents(points, grid, grid, at.x * kMlsStep, at.y * kMlsStep, kMlsStep);
+    // Normals are rounded to single precision.
+    EXPECT_NEAR(surface.height, kMlsStep * (0.5 * at.x - 0.25 * at.y), 1e-7);
+    EXPECT_GT(glm::dot(surface.fitted_normal, normal), 0.999999F);
+    EXPECT_FALSE(surface.is_replaced);
+  }
+}
+
+TEST(BlendTangents, LeavesOutPointsBeyondACrest) {
+  // A roof: the points of its far side face away by 90 degrees.
+  PatchPoints points;
+  const auto add = [&points](double x, double y, float slope) {
+    const glm::vec3 normal = glm::normalize(glm::vec3(slope, 0.0F, 1.0F));
+    test::lay_point(points, kMlsStep * glm::dvec3(x, y, -slope * x), normal,
+                    static_cast<float>(kMlsStep));
+  };
+  for (int j = -6; j <= 6; ++j) {
+    for (int i = 0; i < 6; ++i) {
+      add(i + 0.5, j, 1.0F);
+      add(-i - 0.5, j, -1.0F);
+    }
+  }
+  points.own = points.supporting = points.size();
+  const PointGrid grid(points, points.size(), kMlsStep);
+  const MlsPoint surface = blend_tangents(points, grid, grid, 0.4 * kMlsStep, 0.0, kMlsStep);
+  EXPECT_NEAR(surface.height, -0.4 * kMlsStep, 1e-7);
+}
+
+TEST(BlendTangents, WithoutAPointNearbyNothingIsKnown) {
+  const PatchPoints points = points_at({{0.0, 0.0, 1.0}});
+  const PointGrid grid(points, points.size(), kMlsStep);
+  const MlsPoint surface = blend_tangents(points, grid, grid, 2.0, 0.0, kMlsStep);
+  EXPECT_TRUE(surface.is_replaced);
+  EXPECT_EQ(surface.nearest, PointGrid::kNone);
 }
 
 TEST(Mls, TellsHowWellPointsBearAFit) {
