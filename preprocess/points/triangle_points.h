@@ -10,13 +10,15 @@
 #include <glm/vec3.hpp>
 
 #include "common/flat_map.h"
+#include "common/mesh/triangle_order.h"
 #include "common/points.h"
 
 namespace relief {
 
 /// Goes through the points of a mesh's triangles, except their corners: those on edges, and within
-/// triangles those of rows parallel to the longest edge. Its corners and their weights say where
-/// each point is. Hostile lengths are cut into no more than 4096 pieces.
+/// triangles those of rows parallel to the longest edge, wherever a triangle begins. Its corners
+/// and their weights say where each point is. Hostile lengths are cut into no more than 4096
+/// pieces.
 class TrianglePoints {
  public:
   /// About `step` apart, world units. Edges up to `longest_left_alone` get none, nor do triangles
@@ -43,7 +45,7 @@ class TrianglePoints {
   /// Ends when that returns false, and returns whether it never did; so does the next one.
   template <class Add>
   bool on_edges(std::size_t triangle, const Add& add) {
-    const Triangle& t = mesh_.triangles[triangle];
+    const Triangle t = smallest_first(mesh_.triangles[triangle]);
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t a = std::min(t[c], t[(c + 1) % 3]);
       const std::uint32_t b = std::max(t[c], t[(c + 1) % 3]);
@@ -60,7 +62,7 @@ class TrianglePoints {
 
   template <class Add>
   bool within(std::size_t triangle, const Add& add) const {
-    const Triangle& t = mesh_.triangles[triangle];
+    const Triangle t = smallest_first(mesh_.triangles[triangle]);
     std::size_t longest = 0;
     for (std::size_t c = 1; c < 3; ++c) {
       if (length_of(t, c) > length_of(t, longest)) longest = c;
