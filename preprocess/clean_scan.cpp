@@ -7,6 +7,7 @@
 
 #include "preprocess/noise/remove_noise.h"
 #include "preprocess/points/keep_points.h"
+#include "preprocess/points/sort_in_space.h"
 #include "preprocess/points/stray_points.h"
 
 namespace relief {
@@ -47,6 +48,8 @@ Result<CleanScan> drop_strays(Points& points, const ConvertOptions& options, Con
   clean.graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
   if (is_bare) report.stray_points = drop_stray_points(points, *clean.graph, progress);
+  // Points far away give the scan another frame, and all others one place in it.
+  if (report.stray_points > 0) clean.graph = reordered(*clean.graph, sort_in_space(points));
   if (progress.cancelled()) return interrupted_error();
   return clean;
 }

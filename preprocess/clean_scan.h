@@ -22,8 +22,8 @@ struct CleanScan {
   std::optional<NeighbourGraph> graph;
 };
 
-/// Drops stray points (find_stray_points) of bare points, and reports them. Fails if the user
-/// interrupts.
+/// Drops stray points (find_stray_points) of bare points, and reports them. If there are any, the
+/// others are sorted anew (sort_in_space). Fails if the user interrupts.
 Result<CleanScan> drop_strays(Points& points, const ConvertOptions& options, ConvertReport& report,
                               Progress& progress);
 

@@ -66,7 +66,7 @@ struct ConvertReport {
   std::uint64_t points_moved = 0;      ///< points that noise was removed from
   std::uint64_t normals_repaired = 0;  ///< given normals that were zero, NaN or inconsistent
   bool normals_estimated = false;      ///< the scan had no normals
-  std::uint64_t fits = 0;              ///< of moving least squares, one for each sample and more
+  std::uint64_t fits = 0;              ///< of moving least squares; none for meshes (0158)
   std::uint64_t fits_replaced = 0;     ///< by tangent planes, where points do not bear a fit
   double fit_condition = 1.0;          ///< the largest of a fit's equations
   double error_rms = 0.0;  ///< distance of the points as scanned, noise included, to the patches'

@@ -100,6 +100,19 @@ NeighbourGraph neighbours_after_drop(const NeighbourGraph& graph,
   return left;
 }
 
+NeighbourGraph reordered(const NeighbourGraph& graph, std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> places(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) places[order[k]] = k;
+  NeighbourGraph other{graph.k, std::vector<std::uint32_t>(graph.indices.size()),
+                       std::vector<float>(graph.spacing.size())};
+  tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t k) {
+    std::ranges::transform(graph.of(order[k]), other.indices.data() + k * graph.k,
+                           [&](std::uint32_t j) { return places[j]; });
+    other.spacing[k] = graph.spacing[order[k]];
+  });
+  return other;
+}
+
 std::vector<float> distances_to_eighth(const std::vector<glm::dvec3>& positions,
                                        const NeighbourGraph& graph) {
   std::vector<float> distances(positions.size());

@@ -44,6 +44,11 @@ struct NeighbourGraph {
                                                    const std::vector<std::uint8_t>& dropped,
                                                    const std::vector<glm::dvec3>& positions);
 
+/// Returns the neighbours of points that were put in another order; `order`: for each which one it
+/// was.
+[[nodiscard]] NeighbourGraph reordered(const NeighbourGraph& graph,
+                                       std::span<const std::uint32_t> order);
+
 /// Returns each point's distance to its eighth neighbour, or to its last if it has fewer, world
 /// units. Every point has one.
 [[nodiscard]] std::vector<float> distances_to_eighth(const std::vector<glm::dvec3>& positions,

@@ -61,21 +61,22 @@ void renumber(const Order& order, std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-void sort_in_space(Points& points) {
-  const Order order = order_in_space(points.positions);
+std::vector<std::uint32_t> sort_in_space(Points& points) {
+  Order order = order_in_space(points.positions);
   sort_by(order, points.positions);
   sort_by(order, points.normals);
   sort_by(order, points.colours);
   sort_by(order, points.texcoords);
   sort_by(order, points.scanner_of);
   for (PointScalar& scalar : points.scalars) sort_by(order, scalar.values);
-  if (points.triangles.empty()) return;
+  if (points.triangles.empty()) return order;
   renumber(order, points.triangles);
   const Order by_corner = order_triangles(points.triangles, points.size()).triangles;
   sort_by(by_corner, points.triangles);
   sort_by(by_corner, points.corner_texcoords);
   sort_by(by_corner, points.corner_tangents);
   sort_by(by_corner, points.triangle_materials);
+  return order;
 }
 
 }  // namespace relief

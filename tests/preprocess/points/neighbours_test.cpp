@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
 
@@ -92,6 +93,19 @@ void expect_as_searched(int count, std::size_t step) {
 TEST(NeighboursAfterDrop, AreThoseOfANewSearch) {
   expect_as_searched(3000, 100);
   expect_as_searched(3000, 2);
+}
+
+TEST(ReorderedNeighbours, AreThoseOfTheReorderedPoints) {
+  const std::vector<glm::dvec3> positions = test::sample_torus({}, 0.1).positions;
+  std::vector<std::uint32_t> order(positions.size());
+  std::iota(order.rbegin(), order.rend(), 0U);
+  std::ranges::rotate(order, order.begin() + 7);
+  std::vector<glm::dvec3> moved;
+  for (const std::uint32_t i : order) moved.push_back(positions[i]);
+  const NeighbourGraph found = find_neighbours(moved, kSurfaceNeighbours);
+  const NeighbourGraph graph = reordered(find_neighbours(positions, kSurfaceNeighbours), order);
+  EXPECT_EQ(graph.indices, found.indices);
+  EXPECT_EQ(graph.spacing, found.spacing);
 }
 
 TEST(NeighboursAfterDrop, OfFewPointsAreFewer) {
