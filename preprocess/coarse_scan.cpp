@@ -100,7 +100,10 @@ Result<std::optional<CoarseScan>> take_coarse_mesh(Points& points, double spacin
   Points whole;
   whole.positions = points.positions;
   whole.triangles = coarse.welded;
-  if (coarse.has_sides) coarse.sides.of_triangles = sides_of_triangles(whole);
+  if (coarse.has_sides) {
+    coarse.sides.of_triangles = sides_of_triangles(whole);
+    coarse.sides.widths = widths_of_sides(whole, coarse.sides.of_triangles);
+  }
   coarse.mesh = std::move(points);
   if (coarse.has_own_normals)
     coarse.mesh.normals = vertex_normals(coarse.mesh);

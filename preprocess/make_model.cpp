@@ -3,6 +3,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
+#include <limits>
+
 #include "common/seams/join_normals.h"
 #include "common/seams/make_seams.h"
 #include "preprocess/convert_stages.h"
@@ -31,6 +33,18 @@ double area_of(const std::vector<Region>& regions, const std::vector<double>& fa
   return area;
 }
 
+/// How wide the faces are that regions are of; empty if nothing is known of faces.
+std::vector<double> widths_of_faces(const PartitionedScan& scan) {
+  std::vector<double> widths;
+  if (scan.sides == nullptr) return widths;
+  for (const Region& region : scan.regions) {
+    const auto width = scan.sides->widths.find(side_of(*scan.sides, region.points));
+    widths.push_back(width != scan.sides->widths.end() ? width->second
+                                                       : std::numeric_limits<double>::infinity());
+  }
+  return widths;
+}
+
 /// How many samples there are, and each patch's share.
 SampleBudget budget_of(const PartitionedScan& scan, const ConvertOptions& options,
                        std::optional<double> samples) {
@@ -42,7 +56,8 @@ SampleBudget budget_of(const PartitionedScan& scan, const ConvertOptions& option
   } else if (!options.adaptive_spacing && seams && scan.spheres != nullptr &&
              !(options.spacing > 0.0)) {
     const double most = samples.value_or(kMostSamplesPerPoint * static_cast<double>(scan.measured));
-    budget = share_samples(scan.samples, scan.regions, scan.creases->at_crease, {fewest, most});
+    budget = share_samples(scan.samples, scan.regions, scan.creases->at_crease, {fewest, most},
+                           widths_of_faces(scan));
   }
   return budget;
 }

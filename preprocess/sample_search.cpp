@@ -7,7 +7,7 @@
 namespace relief {
 namespace {
 
-constexpr int kMostTrials = 6;
+constexpr int kMostTrials = 8;
 /// Errors from this share of what is wanted on are near enough, and what is aimed at.
 constexpr double kNearEnough = 0.95;
 /// Largest change of the number of samples from trial to trial.

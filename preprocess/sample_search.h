@@ -17,7 +17,7 @@ class SampleSearch {
   SampleSearch(double error, double points);
 
   /// How many samples to try next; nothing once the search has ended. It ends within 5 % of the
-  /// error, where more samples are of no use or fewer are not to be had, and after 6 trials.
+  /// error, where more samples are of no use or fewer are not to be had, and after 8 trials.
   [[nodiscard]] std::optional<double> next() const;
 
   /// Notes what asking for that many samples gave. Returns whether it is the best trial so far: the

@@ -58,7 +58,7 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
           ->option_text("F");
   sub.add_option("--error", arguments.options.error,
                  "Make the fewest samples from which the points lie at most so far, rms, in the "
-                 "scan's unit, above 0; converts up to six times (default: as --spacing has it)")
+                 "scan's unit, above 0; converts up to eight times (default: as --spacing has it)")
       ->check(positive_number())
       ->excludes(spacing)
       ->excludes(samples)

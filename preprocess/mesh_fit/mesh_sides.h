@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <map>
 #include <span>
 #include <vector>
 
 #include "common/neighbours/neighbours.h"
+#include "common/points.h"
 
 namespace relief {
 
@@ -17,7 +19,14 @@ inline constexpr std::uint32_t kAnySide = UINT32_MAX;
 struct MeshSides {
   std::vector<std::uint32_t> of_triangles;
   std::vector<std::uint32_t> of_points;
+  std::map<std::uint32_t, double> widths;  ///< of each side, world units (widths_of_sides)
 };
+
+/// How wide sides are: twice their area over the length of their borders, which is the width of a
+/// strip and the radius of a disc. `mesh`: welded; `sides`: of its triangles. A side without a
+/// border has no entry.
+[[nodiscard]] std::map<std::uint32_t, double> widths_of_sides(
+    const Points& mesh, const std::vector<std::uint32_t>& sides);
 
 /// Finds sides with too few points for neighbours, each of which has kSurfaceNeighbours of its own:
 /// makes them kAnySide. Returns 1 for each of their points, which must be dropped.

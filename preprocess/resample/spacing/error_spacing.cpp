@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace relief {
 namespace {
@@ -11,12 +13,18 @@ constexpr double kErrorInSpacings = 0.05;
 // being still coarser once its border is most of it, and neighbours must still meet.
 constexpr double kFinest = 0.5;
 constexpr double kCoarsest = 1.25;
+// Rows of samples across a narrow face. Errors (rms) of fandisk with 1,900 samples and of anchor
+// with 1,500: 0.0075 and 0.0031 without, 0.0048 and 0.0019 with 2 rows, 0.0065 and 0.0021 with 3.
+constexpr double kRowsAcross = 2.0;
+// The share of all samples that narrow faces may have.
+constexpr double kMostForNarrow = 0.5;
 
 /// What a region asks for. World units.
 struct Demand {
   double area = 0.0;
   double bend = 0.0;    ///< distance from a plane over the squared distance of the points
   double finest = 0.0;  ///< half the distance between its points: they tell no more
+  double widest = std::numeric_limits<double>::infinity();  ///< spacing with two rows of samples
 };
 
 Demand demand_of(const SurfaceSamples& samples, const Region& region,
@@ -35,6 +43,21 @@ Demand demand_of(const SurfaceSamples& samples, const Region& region,
   return demand;
 }
 
+/// Asks for rows of samples across narrow faces, fewer if they would have too many samples.
+void see_to_widths(std::span<const double> widths, double usual, double fewest,
+                   std::vector<Demand>& demands) {
+  double samples = 0.0;
+  for (std::size_t r = 0; r < widths.size(); ++r) {
+    Demand& demand = demands[r];
+    demand.widest = widths[r] / kRowsAcross;
+    const double spacing = std::max(demand.widest, demand.finest);
+    if (spacing < kCoarsest * usual) samples += demand.area / (spacing * spacing);
+  }
+  const double share = samples / (kMostForNarrow * fewest);
+  if (!(share > 1.0)) return;
+  for (Demand& demand : demands) demand.widest *= std::sqrt(share);
+}
+
 /// The spacings that share out samples at one price.
 class Shares {
  public:
@@ -45,8 +68,11 @@ class Shares {
   [[nodiscard]] double spacing(const Demand& demand, double price) const {
     const double coarsest = kCoarsest * usual_;
     const double finest = std::max(kFinest * usual_, std::min(demand.finest, usual_));
-    if (!(demand.bend > 0.0)) return coarsest;
-    return std::clamp(price * std::cbrt(usual_ * usual_ / demand.bend), finest, coarsest);
+    const double for_width = std::max(demand.widest, demand.finest);
+    if (!(demand.bend > 0.0)) return std::min(coarsest, for_width);
+    const double for_bend =
+        std::clamp(price * std::cbrt(usual_ * usual_ / demand.bend), finest, coarsest);
+    return std::min(for_bend, for_width);
   }
   [[nodiscard]] double samples(double price) const {
     double sum = 0.0;
@@ -90,7 +116,8 @@ double find_price(const IsTooHigh& is_too_high) {
 }  // namespace
 
 SampleBudget share_samples(const SurfaceSamples& samples, const std::vector<Region>& regions,
-                           const std::vector<std::uint8_t>& at_crease, SampleRange range) {
+                           const std::vector<std::uint8_t>& at_crease, SampleRange range,
+                           std::span<const double> widths) {
   SampleBudget budget{std::vector<double>(regions.size(), 1.0), range.fewest};
   std::vector<Demand> demands;
   double area = 0.0;
@@ -100,6 +127,7 @@ SampleBudget share_samples(const SurfaceSamples& samples, const std::vector<Regi
   }
   if (!(area > 0.0)) return budget;
   const double usual = std::sqrt(area / range.fewest);
+  see_to_widths(widths, usual, range.fewest, demands);
   const Shares shares(std::move(demands), area, usual);
 
   double price = find_price([&](double p) { return shares.samples(p) < range.fewest; });

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "preprocess/partition/partition.h"
@@ -42,9 +43,13 @@ struct SampleRange {
 /// `at_crease`: of each point, 1 for those whose neighbours lie on two sides of a crease. These say
 /// nothing of how either side bends. `range`: how many samples there may be. For meshes, whose
 /// points have no noise that samples would follow.
+///
+/// `widths`: of the faces that regions are of, world units, infinite where unknown; it may be
+/// empty. A narrow face has two rows of samples or more, for which half of all samples may be
+/// spent: one that lies between the rows of its grid would be lost.
 [[nodiscard]] SampleBudget share_samples(const SurfaceSamples& samples,
                                          const std::vector<Region>& regions,
                                          const std::vector<std::uint8_t>& at_crease,
-                                         SampleRange range);
+                                         SampleRange range, std::span<const double> widths = {});
 
 }  // namespace relief

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace relief {
 namespace {
@@ -34,6 +36,42 @@ TEST(MeshSides, NeighboursAreOfTheSameSide) {
     EXPECT_GT(graph.spacing[i], 0.8F);
     EXPECT_LT(graph.spacing[i], 1.7F) << "at a corner";
   }
+}
+
+TEST(MeshSides, AreAsWideAsAStripAndAsTheRadiusOfADisc) {
+  // A strip of 40 by 2, along whose middle runs a seam that is none; a disc; and a closed body.
+  Points mesh;
+  std::vector<std::uint32_t> sides;
+  for (std::uint32_t i = 0; i <= 40; ++i) {
+    for (const double y : {0.0, 1.0, 2.0}) mesh.positions.emplace_back(i, y, 0.0);
+  }
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    for (std::uint32_t j = 0; j < 2; ++j) {
+      const std::uint32_t at = 3 * i + j;
+      mesh.triangles.push_back({at, at + 3, at + 4});
+      mesh.triangles.push_back({at, at + 4, at + 1});
+    }
+  }
+  sides.assign(mesh.triangles.size(), 5);
+  const auto middle = static_cast<std::uint32_t>(mesh.size());
+  mesh.positions.emplace_back(100.0, 0.0, 0.0);
+  for (std::uint32_t k = 0; k < 64; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / 64;
+    mesh.positions.emplace_back(100.0 + 3.0 * std::cos(angle), 3.0 * std::sin(angle), 0.0);
+    mesh.triangles.push_back({middle, middle + 1 + k, middle + 1 + (k + 1) % 64});
+    sides.push_back(7);
+  }
+  const auto corner = static_cast<std::uint32_t>(mesh.size());
+  for (const glm::dvec3 p : {glm::dvec3(200, 0, 0), {201, 0, 0}, {200, 1, 0}, {200, 0, 1}})
+    mesh.positions.push_back(p);
+  for (const Triangle t : {Triangle{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+    mesh.triangles.push_back({corner + t[0], corner + t[1], corner + t[2]});
+    sides.push_back(9);
+  }
+  const auto widths = widths_of_sides(mesh, sides);
+  EXPECT_NEAR(widths.at(5), 2.0 * 80.0 / 84.0, 1e-12);
+  EXPECT_NEAR(widths.at(7), 3.0, 0.01);
+  EXPECT_FALSE(widths.contains(9));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace relief {
 namespace {
@@ -28,8 +30,9 @@ struct BentScan {
     const auto points = static_cast<double>(spacing.size());
     return share({kFewestSamplesPerPoint * points, kMostSamplesPerPoint * points});
   }
-  [[nodiscard]] SampleBudget share(SampleRange range) const {
-    return share_samples({positions, normals, spacing, roughness}, regions, at_crease, range);
+  [[nodiscard]] SampleBudget share(SampleRange range, std::span<const double> widths = {}) const {
+    return share_samples({positions, normals, spacing, roughness}, regions, at_crease, range,
+                         widths);
   }
 
   std::vector<glm::dvec3> positions;
@@ -110,6 +113,33 @@ TEST(ErrorSpacing, OfPointsAtOnePlaceIsDefined) {
   const SampleBudget budget = scan.share();
   EXPECT_DOUBLE_EQ(budget.factors[0], 1.0);
   EXPECT_TRUE(std::isfinite(budget.samples));
+}
+
+TEST(ErrorSpacing, ANarrowFaceHasTwoRowsOfSamples) {
+  const double wide = std::numeric_limits<double>::infinity();
+  // A tenth as many samples as points: 3.2 spacings apart.
+  const BentScan scan({0.02F, 0.02F, 0.02F});
+  const double samples = 0.1 * 3 * kRegionPoints;
+  const double usual = std::sqrt(10.0);
+  const auto spacings = [&](double width) {
+    const std::vector<double> widths{width, wide, wide};
+    const SampleBudget budget = scan.share({samples, samples}, widths);
+    EXPECT_NEAR(budget.samples, samples, 1.0);
+    return std::pair(budget.factors[0] * usual, budget.factors[1] * usual);
+  };
+  // Spacings are rounded to an eighth of an octave.
+  const double rounding = std::exp2(1.0 / 16.0) + 1e-9;
+  const auto [as_wide, other] = spacings(wide);
+  EXPECT_NEAR(as_wide, usual, 1e-6);
+  EXPECT_NEAR(other, usual, 1e-6);
+  const auto [narrow, beside] = spacings(5.0);
+  EXPECT_LT(std::max(narrow / 2.5, 2.5 / narrow), rounding);
+  EXPECT_GT(beside, usual);
+  // A face of a spacing would need 4,000 samples, and gets half of the 300.
+  const auto [thin, rest] = spacings(1.0);
+  const double of_half = std::sqrt(kRegionPoints / (0.5 * samples));
+  EXPECT_LT(std::max(thin / of_half, of_half / thin), rounding);
+  EXPECT_GT(rest, usual);
 }
 
 }  // namespace
