@@ -132,8 +132,8 @@ TEST(ErrorSpacing, ANarrowFaceHasTwoRowsOfSamples) {
   const auto [as_wide, other] = spacings(wide);
   EXPECT_NEAR(as_wide, usual, 1e-6);
   EXPECT_NEAR(other, usual, 1e-6);
-  const auto [narrow, beside] = spacings(5.0);
-  EXPECT_LT(std::max(narrow / 2.5, 2.5 / narrow), rounding);
+  const auto [narrow, beside] = spacings(5.4);
+  EXPECT_LT(std::max(narrow / 2.7, 2.7 / narrow), rounding);
   EXPECT_GT(beside, usual);
   // A face of a spacing would need 4,000 samples, and gets half of the 300.
   const auto [thin, rest] = spacings(1.0);
