@@ -32,7 +32,9 @@ std::optional<double> SampleSearch::next() const {
     const double length = std::log(enough_->samples / too_few_->samples);
     const double fall = std::log(too_few_->error / std::max(enough_->error, 1e-300));
     if (length < 0.05) return std::nullopt;
-    const double share = std::clamp(std::log(too_few_->error / aim) / fall, 0.1, 0.9);
+    // Where the last such step fell short, errors do not fall evenly.
+    const double shortest = fell_short_ ? 0.25 : 0.1;
+    const double share = std::clamp(std::log(too_few_->error / aim) / fall, shortest, 0.9);
     return too_few_->samples * std::exp(share * length);
   }
   if (enough_) {
@@ -47,6 +49,7 @@ std::optional<double> SampleSearch::next() const {
 bool SampleSearch::note(double asked, double made, double error) {
   ++trials_;
   const Trial trial{asked, made, error};
+  fell_short_ = enough_ && too_few_ && error > wanted_;
   if (error <= wanted_) {
     is_fewest_ = !too_few_ && enough_ && made > kFewerSamples * enough_->made;
     const bool is_best = !enough_ || made < enough_->made;

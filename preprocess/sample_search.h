@@ -36,6 +36,7 @@ class SampleSearch {
   std::optional<Trial> enough_;   ///< the fewest that reach the error
   std::optional<Trial> too_few_;  ///< the most that do not
   double least_error_;            ///< of those that do not
+  bool fell_short_ = false;       ///< the last trial was between those two, and too few
   bool is_fewest_ = false;        ///< asking for fewer gave as many: each patch has some
 };
 

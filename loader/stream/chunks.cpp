@@ -20,9 +20,11 @@ TileIndex index_tile(std::span<const PatchSummary> patches, bool are_joined) {
   }
   if (!are_joined) {
     std::vector<std::uint64_t> codes;
+    codes.reserve(order.size());
     for (const std::uint32_t p : order)
       codes.push_back(morton_code(0.5 * (boxes[p].min + boxes[p].max), all));
     std::vector<std::uint32_t> sorted;
+    sorted.reserve(order.size());
     for (const std::uint32_t k : order_of(codes)) sorted.push_back(order[k]);
     order = std::move(sorted);
   }

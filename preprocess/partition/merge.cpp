@@ -222,8 +222,7 @@ class Merger {
       }
     }
     std::ranges::sort(unknown);
-    const auto repeated = std::ranges::unique(unknown);
-    unknown.erase(repeated.begin(), repeated.end());
+    unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
     tbb::parallel_for(std::size_t{0}, unknown.size(), [&](std::size_t k) {
       Cluster& cluster = clusters_[unknown[k]];
       cluster.spread = std::make_unique<NormalSpread>(samples_.normals, cluster.region.points);

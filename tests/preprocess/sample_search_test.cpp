@@ -49,6 +49,19 @@ TEST(SampleSearch, FindsThemWhereErrorsFallInAnotherWay) {
   }
 }
 
+TEST(SampleSearch, FindsFewWhereErrorsDoNotFallEvenly) {
+  // By turns a third larger and smaller, as where grids happen to meet edges.
+  for (const double wanted : {0.2, 0.5, 2.0, 10.0}) {
+    const auto error_of = [](double samples) {
+      return 1e4 / samples * (static_cast<int>(50.0 * std::log(samples)) % 2 == 0 ? 1.33 : 0.75);
+    };
+    const Found found = search_for(wanted, error_of);
+    EXPECT_LE(found.error, wanted);
+    // Where all errors were a third larger, 1.33e4 / wanted would be found.
+    EXPECT_LE(found.samples, 1.5 * 1.33e4 / wanted);
+  }
+}
+
 TEST(SampleSearch, EndsWhereThePointsTellNoMore) {
   // Noise that no number of samples takes away.
   const Found found = search_for(0.1, [](double samples) { return 1.0 + 1e4 / samples; });
