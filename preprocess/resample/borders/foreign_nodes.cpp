@@ -90,6 +90,10 @@ class NodeJudge {
         around_.creases != nullptr ? around_.creases->near(spot.position, spot.side) : std::nullopt;
     if (crease && !stand_beside(*crease, surface, spot)) return NodeState::Hole;
     const Votes votes = count_votes(spot);
+    // On a plane that goes on beyond a crease nobody saw.
+    // No point is within two spacings: it is on a face that goes on beyond its edge, where
+    // fandisk's points alone had 4 samples up to 2.8 spacings off.
+    if (directions_.empty()) return NodeState::Hole;
     const double own = votes.own + votes.tiles;
     if (own < kOwnShare * (own + votes.others)) return NodeState::Hole;
     const double overhang = kOverhangInSpacings * grid_.spacing;
