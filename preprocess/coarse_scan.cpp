@@ -13,7 +13,7 @@
 #include "common/mesh/weld.h"
 #include "common/neighbours/neighbours.h"
 #include "preprocess/points/keep_points.h"
-#include "preprocess/points/spread_on_mesh.h"
+#include "preprocess/points/on_mesh/spread_on_mesh.h"
 
 namespace relief {
 namespace {

@@ -34,17 +34,24 @@ class MeshEdges {
     return std::span(uses_).subspan(starts_[lesser], starts_[lesser + 1] - starts_[lesser]);
   }
 
-  /// Calls `visit(lesser point, use, other use)` for the edges of exactly two uses, in the order of
-  /// their points.
+  /// Calls `visit(lesser point, uses)` for each edge, in the order of their points.
   template <class Visit>
-  void for_each_of_two(const Visit& visit) const {
+  void for_each(const Visit& visit) const {
     for (std::uint32_t p = 0; p + 1 < starts_.size(); ++p) {
       const std::span<const EdgeUse> uses = of(p);
       for (std::size_t first = 0, end = 0; first < uses.size(); first = end) {
         while (end < uses.size() && uses[end].greater == uses[first].greater) ++end;
-        if (end - first == 2) visit(p, uses[first], uses[first + 1]);
+        visit(p, uses.subspan(first, end - first));
       }
     }
+  }
+
+  /// Calls `visit(lesser point, use, other use)` for the edges of exactly two uses.
+  template <class Visit>
+  void for_each_of_two(const Visit& visit) const {
+    for_each([&visit](std::uint32_t p, std::span<const EdgeUse> uses) {
+      if (uses.size() == 2) visit(p, uses[0], uses[1]);
+    });
   }
 
   /// Returns whether each edge belongs to exactly two triangles, which traverse it in opposite

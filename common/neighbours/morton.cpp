@@ -56,4 +56,10 @@ std::vector<std::uint32_t> order_of(std::span<const std::uint64_t> codes) {
   return order;
 }
 
+std::vector<std::uint32_t> places_in(std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> places(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) places[order[k]] = k;
+  return places;
+}
+
 }  // namespace relief

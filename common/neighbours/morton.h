@@ -20,4 +20,7 @@ inline constexpr unsigned kMortonBits = 60;
 /// Returns the indices of codes in the order of the codes, equal ones in their own.
 [[nodiscard]] std::vector<std::uint32_t> order_of(std::span<const std::uint64_t> codes);
 
+/// Returns where each index is in an order of all.
+[[nodiscard]] std::vector<std::uint32_t> places_in(std::span<const std::uint32_t> order);
+
 }  // namespace relief

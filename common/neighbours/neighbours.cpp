@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "common/neighbours/morton.h"
 #include "common/neighbours/nearest_search.h"
 #include "common/neighbours/position_tree.h"
 
@@ -101,8 +102,7 @@ NeighbourGraph neighbours_after_drop(const NeighbourGraph& graph,
 }
 
 NeighbourGraph reordered(const NeighbourGraph& graph, std::span<const std::uint32_t> order) {
-  std::vector<std::uint32_t> places(order.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) places[order[k]] = k;
+  const std::vector<std::uint32_t> places = places_in(order);
   NeighbourGraph other{graph.k, std::vector<std::uint32_t>(graph.indices.size()),
                        std::vector<float>(graph.spacing.size())};
   tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t k) {

@@ -17,22 +17,17 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> points_of_sides(
   return points;
 }
 
-/// Calls `visit(side, length)` for the edges between sides, and of borders, once for each side.
-template <class Visit>
-void for_each_border(const Points& mesh, const std::vector<std::uint32_t>& sides,
-                     const Visit& visit) {
-  const MeshEdges edges(mesh);
-  for (std::uint32_t p = 0; p < mesh.size(); ++p) {
-    const std::span<const EdgeUse> uses = edges.of(p);
-    for (std::size_t first = 0, end = 0; first < uses.size(); first = end) {
-      while (end < uses.size() && uses[end].greater == uses[first].greater) ++end;
-      const bool is_within =
-          end - first == 2 && sides[uses[first].triangle] == sides[uses[first + 1].triangle];
-      if (is_within) continue;
-      const double length = glm::distance(mesh.positions[p], mesh.positions[uses[first].greater]);
-      for (std::size_t u = first; u < end; ++u) visit(sides[uses[u].triangle], length);
-    }
-  }
+/// The lengths of the borders of sides, to other sides and of the mesh.
+std::map<std::uint32_t, double> borders_of_sides(const Points& mesh,
+                                                 const std::vector<std::uint32_t>& sides) {
+  std::map<std::uint32_t, double> borders;
+  MeshEdges(mesh).for_each([&](std::uint32_t p, std::span<const EdgeUse> uses) {
+    const auto side = [&](const EdgeUse& use) { return sides[use.triangle]; };
+    if (uses.size() == 2 && side(uses[0]) == side(uses[1])) return;
+    const double length = glm::distance(mesh.positions[p], mesh.positions[uses[0].greater]);
+    for (const EdgeUse& use : uses) borders[side(use)] += length;
+  });
+  return borders;
 }
 
 }  // namespace
@@ -46,10 +41,8 @@ std::map<std::uint32_t, double> widths_of_sides(const Points& mesh,
     twice_areas[sides[t]] +=
         glm::length(glm::cross(mesh.positions[corners[1]] - a, mesh.positions[corners[2]] - a));
   }
-  std::map<std::uint32_t, double> borders;
-  for_each_border(mesh, sides, [&](std::uint32_t side, double length) { borders[side] += length; });
   std::map<std::uint32_t, double> widths;
-  for (const auto& [side, length] : borders) {
+  for (const auto& [side, length] : borders_of_sides(mesh, sides)) {
     if (length > 0.0) widths[side] = twice_areas[side] / length;
   }
   return widths;

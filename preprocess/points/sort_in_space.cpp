@@ -52,8 +52,7 @@ Order order_in_space(const std::vector<glm::dvec3>& positions) {
 }
 
 void renumber(const Order& order, std::vector<Triangle>& triangles) {
-  Order places(order.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) places[order[k]] = k;
+  const Order places = places_in(order);
   tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t t) {
     for (std::uint32_t& corner : triangles[t]) corner = places[corner];
   });

@@ -39,7 +39,7 @@ TEST(MeshSides, NeighboursAreOfTheSameSide) {
 }
 
 TEST(MeshSides, AreAsWideAsAStripAndAsTheRadiusOfADisc) {
-  // A strip of 40 by 2, along whose middle runs a seam that is none; a disc; and a closed body.
+  // Three sides: a strip of 40 by 2, of two rows of cells; a disc; a closed body.
   Points mesh;
   std::vector<std::uint32_t> sides;
   for (std::uint32_t i = 0; i <= 40; ++i) {

@@ -1,4 +1,4 @@
-#include "preprocess/points/densify.h"
+#include "preprocess/points/on_mesh/densify.h"
 
 #include <gtest/gtest.h>
 

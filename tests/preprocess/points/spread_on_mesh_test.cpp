@@ -1,5 +1,5 @@
 // Points spread over meshes of few.
-#include "preprocess/points/spread_on_mesh.h"
+#include "preprocess/points/on_mesh/spread_on_mesh.h"
 
 #include <gtest/gtest.h>
 

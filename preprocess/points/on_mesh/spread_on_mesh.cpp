@@ -1,4 +1,4 @@
-#include "preprocess/points/spread_on_mesh.h"
+#include "preprocess/points/on_mesh/spread_on_mesh.h"
 
 #include <cmath>
 #include <glm/common.hpp>
@@ -8,7 +8,7 @@
 #include "common/flat_map.h"
 #include "common/mesh/coarse_mesh.h"
 #include "preprocess/points/no_point.h"
-#include "preprocess/points/triangle_points.h"
+#include "preprocess/points/on_mesh/triangle_points.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/points/densify.h"
+#include "preprocess/points/on_mesh/densify.h"
 
 #include <tbb/parallel_for.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "common/mesh/coarse_mesh.h"
-#include "preprocess/points/triangle_points.h"
+#include "preprocess/points/on_mesh/triangle_points.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/points/triangle_points.h"
+#include "preprocess/points/on_mesh/triangle_points.h"
 
 namespace relief {
 
