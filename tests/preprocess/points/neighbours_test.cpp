@@ -99,7 +99,7 @@ TEST(ReorderedNeighbours, AreThoseOfTheReorderedPoints) {
   const std::vector<glm::dvec3> positions = test::sample_torus({}, 0.1).positions;
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.rbegin(), order.rend(), 0U);
-  std::ranges::rotate(order, order.begin() + 7);
+  std::rotate(order.begin(), order.begin() + 7, order.end());  // clang 14 has no ranges::rotate
   std::vector<glm::dvec3> moved;
   for (const std::uint32_t i : order) moved.push_back(positions[i]);
   const NeighbourGraph found = find_neighbours(moved, kSurfaceNeighbours);
