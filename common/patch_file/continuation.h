@@ -23,6 +23,7 @@ void continue_over_holes(AttributeMap<Texel>& map, std::span<const std::uint8_t>
   std::vector<std::uint8_t> state(kept.begin(), kept.end());
   const std::size_t width = map.width;
   const std::size_t height = map.height;
+  assert(state.size() == width * height);
 
   const auto for_neighbours = [width, height](std::size_t k, const auto& visit) {
     const std::size_t i = k % width;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "common/median.h"
@@ -24,13 +25,28 @@ constexpr std::uint32_t kPooled = 64;
 // standard deviations below the mean of normal values.
 constexpr double kFlatShare = 0.3;
 constexpr double kFlatDeviations = -0.524;
-// A disc that is not 5 times as wide as its noise is a ball: its plane is arbitrary.
-constexpr double kLargestShare = 0.2;
-// A ball cuts the noise off where the plane ends: measured on planes.
-constexpr double kCutOff = 1.7;
+// What a quadric leaves over in a disc (rms), over its radius. Most in a disc of a surface; in a
+// small disc that may be one, if the next but one shows no more than 1.5 times the square of its
+// noise; in a ball of scattered points, which shows 2.25 times as much.
+constexpr double kFlat = 0.2;
+constexpr double kThick = 0.33;
+constexpr double kBall = 0.37;
+constexpr double kSteady = 1.5;
+// Larger discs of thin bodies hold both sides: steady, too.
+constexpr std::size_t kLastSmallRing = 3;
+// A ball cuts the noise off where its plane ends. The exponents of what is left of its square, by
+// ring, the last for all others: measured on planes with noise of up to four spacings.
+constexpr std::array<double, 4> kCutOff = {0.36, 0.44, 0.5, 0.57};
 // How much the squares of what detail leaves over grow from a disc to the next but one, 2.25 times
 // as large; 2.4 to 5 on scans without noise. The smallest, so that no detail counts as noise.
 constexpr double kDetailGrowth = 2.4;
+// The shares of places that show less at least than what is usual, and than what none has more of.
+// Where a scan bends sharply the lower bounds are low: with the median, fandisk with noise of one
+// spacing kept 0.44 of it, with this 0.37. Two near sheets look like noise of half their distance:
+// without a bound, bun_zipper with noise of one spacing keeps 0.38 of it, for 0.28, and 1.1 % of
+// its samples face inward, for 0.2 %.
+constexpr double kUsual = 0.6;
+constexpr double kMost = 0.95;
 
 /// What quadrics leave over in the discs about a point: variances, units squared; negative: none.
 using Profile = std::array<float, Rings::kCount>;
@@ -63,22 +79,37 @@ struct NoiseRange {
   double high = 0.0;  ///< all that is left over
 };
 
-/// What profiles show of the noise; nothing if every disc is a ball.
-std::optional<NoiseRange> range_of(const Profile& flat) {
-  const auto noise_at = [&](std::size_t ring) {
-    const double cut = 1.0 - kCutOff * flat[ring] / Rings::squared_radius(ring);
-    return flat[ring] / (cut * cut);
-  };
+/// The variance of the noise that leaves over so much in a ring's disc, which cuts it off.
+double uncut(double variance, std::size_t ring) {
+  const double left = 1.0 - variance / (kBall * kBall * Rings::squared_radius(ring));
+  if (left <= 0.0) return std::numeric_limits<double>::infinity();
+  return variance * std::pow(left, -kCutOff[std::min(ring, kCutOff.size() - 1)]);
+}
+
+/// The disc that shows the noise of profiles, by its ring: the first flat one, or a smaller one if
+/// only that is steady. Nothing if every disc is a ball.
+std::optional<std::size_t> telling_ring(const Profile& flat) {
+  std::optional<std::size_t> thick;
   for (std::size_t ring = 0; ring + 2 < flat.size(); ++ring) {
     if (flat[ring] < 0.0F || flat[ring + 2] < 0.0F) continue;
-    if (flat[ring] > kLargestShare * kLargestShare * Rings::squared_radius(ring)) continue;
-    const double noise = noise_at(ring);
-    const double least = (kDetailGrowth * noise - noise_at(ring + 2)) / (kDetailGrowth - 1.0);
-    // By chance larger discs may have less.
-    const double low = std::sqrt(std::max(least, 0.0));
-    return NoiseRange{low, std::max(low, std::sqrt(noise))};
+    const bool is_steady = uncut(flat[ring + 2], ring + 2) <= kSteady * uncut(flat[ring], ring);
+    const double share = std::sqrt(flat[ring] / Rings::squared_radius(ring));
+    if (share <= kFlat) return thick && !is_steady ? thick : ring;
+    if (share <= kThick && is_steady && ring <= kLastSmallRing && !thick) thick = ring;
   }
-  return std::nullopt;
+  return thick;
+}
+
+/// What profiles show of the noise; nothing if every disc is a ball.
+std::optional<NoiseRange> range_of(const Profile& flat) {
+  const std::optional<std::size_t> ring = telling_ring(flat);
+  if (!ring) return std::nullopt;
+  const double noise = uncut(flat[*ring], *ring);
+  const double further = uncut(flat[*ring + 2], *ring + 2);
+  const double least = (kDetailGrowth * noise - further) / (kDetailGrowth - 1.0);
+  // By chance larger discs may have less.
+  const double low = std::sqrt(std::max(least, 0.0));
+  return NoiseRange{low, std::max(low, std::sqrt(noise))};
 }
 
 /// The positions that are looked at, each for as many slots of the tree as the stride.
@@ -144,17 +175,16 @@ std::vector<std::optional<NoiseRange>> pool(const Places& places) {
   return ranges;
 }
 
-/// What most places show at least, units. Where a scan bends sharply the lower bounds are low: with
-/// the median, fandisk with noise of one spacing kept 0.44 of it, with this 0.37.
-double usual_noise(const std::vector<std::optional<NoiseRange>>& ranges) {
+/// The noise that this share of the places show less of at least, units.
+double shown_by(const std::vector<std::optional<NoiseRange>>& ranges, double share) {
   std::vector<double> lows;
   for (const auto& range : ranges) {
     if (range) lows.push_back(range->low);
   }
   if (lows.empty()) return 0.0;
-  const auto most = lows.begin() + static_cast<std::ptrdiff_t>(3 * lows.size() / 5);
-  std::nth_element(lows.begin(), most, lows.end());
-  return *most;
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(lows.size()));
+  std::nth_element(lows.begin(), lows.begin() + at, lows.end());
+  return lows[at];
 }
 
 }  // namespace
@@ -164,13 +194,15 @@ std::vector<float> estimate_noise(const PositionTree& tree, const std::vector<fl
   if (tree.size() == 0) return noise;
   const Places places = look_at_places(tree, spacing);
   const std::vector<std::optional<NoiseRange>> ranges = pool(places);
-  const double usual = usual_noise(ranges);
+  const double usual = shown_by(ranges, kUsual);
+  const double most = shown_by(ranges, kMost);
   const float usual_spacing = median_of(spacing);
   for (std::size_t slot = 0; slot < noise.size(); ++slot) {
     const std::optional<NoiseRange>& range = ranges[slot / places.stride];
     // Balls of sparse points are no surface, whose noise would grow with its spacing.
     noise[slot] =
-        range ? static_cast<float>(std::clamp(usual, range->low, range->high)) * spacing[slot]
+        range ? static_cast<float>(std::clamp(usual, std::min(range->low, most), range->high)) *
+                    spacing[slot]
               : static_cast<float>(usual) * std::min(spacing[slot], usual_spacing);
   }
   return noise;
