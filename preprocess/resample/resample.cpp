@@ -86,9 +86,11 @@ double mean_spacing(const PatchPoints& points) {
   return sum / static_cast<double>(points.size());
 }
 
-// Buckets about as large as the neighbourhood of a fit.
+// Buckets about as large as the neighbourhood of a fit, but of some ten points at most: with a
+// spacing far above the points', finding the nearest of them took most of a conversion.
 double bucket_side(const PatchPoints& points, double spacing) {
-  return std::max(spacing, mean_spacing(points));
+  const double mean = mean_spacing(points);
+  return std::clamp(spacing, mean, 3.0 * mean);
 }
 
 // Support reaches up to 0.9 spacings beyond a region's points; where borders meet, half of what is

@@ -41,17 +41,51 @@ PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell) 
 }
 
 std::uint32_t PointGrid::nearest(double x, double y, double radius) const {
+  const std::int64_t i = column(x);
+  const std::int64_t j = row(y);
+  /// How far a coordinate, from the lowest, is from these buckets of its row or column.
+  const auto distance_to = [this](double from_low, std::int64_t first, std::int64_t last) {
+    return std::max({static_cast<double>(first) * cell_ - from_low,
+                     from_low - static_cast<double>(last + 1) * cell_, 0.0});
+  };
+  const double beside_x = distance_to(x - low_x_, 0, columns_ - 1);
+  const double beside_y = distance_to(y - low_y_, 0, rows_ - 1);
+  const double beside = beside_x * beside_x + beside_y * beside_y;
   std::uint32_t best = kNone;
-  double best_squared = std::numeric_limits<double>::infinity();
-  for (double r = std::min(cell_, radius);; r = std::min(2.0 * r, radius)) {
-    for_each_within(x, y, r, [&](std::uint32_t p, double squared) {
-      if (squared < best_squared || (squared == best_squared && p < best)) {
-        best = p;
-        best_squared = squared;
+  double best_squared = radius * radius;
+  const auto look_at = [&](std::int64_t line, std::int64_t first, std::int64_t last) {
+    const double across = distance_to(x - low_x_, first, last);
+    const double along = distance_to(y - low_y_, line, line);
+    if (across * across + along * along > best_squared) return;
+    const std::uint32_t* start = starts_.data() + line * columns_;
+    for (std::uint32_t m = start[first]; m < start[last + 1]; ++m) {
+      const double dx = positions_[m].x - x;
+      const double dy = positions_[m].y - y;
+      const double squared = dx * dx + dy * dy;
+      if (squared > best_squared) continue;
+      if (squared == best_squared && best <= sorted_[m]) continue;
+      best = sorted_[m];
+      best_squared = squared;
+    }
+  };
+  // Squares of buckets about that of the position, or about the nearest one if it lies beside all.
+  // Points of the next square are at least `inner` from the position's nearest in the grid.
+  for (std::int64_t k = 0; k <= std::max(columns_, rows_); ++k) {
+    const double inner = static_cast<double>(std::max(k - 1, std::int64_t{0})) * cell_;
+    if (beside + inner * inner > best_squared) break;
+    const std::int64_t left = std::max(i - k, std::int64_t{0});
+    const std::int64_t right = std::min(i + k, columns_ - 1);
+    for (std::int64_t line = std::max(j - k, std::int64_t{0}); line <= std::min(j + k, rows_ - 1);
+         ++line) {
+      if (line == j - k || line == j + k) {
+        look_at(line, left, right);
+        continue;
       }
-    });
-    if (best != kNone || r >= radius) return best;
+      if (left == i - k) look_at(line, left, left);
+      if (right == i + k && k > 0) look_at(line, right, right);
+    }
   }
+  return best;
 }
 
 }  // namespace relief
