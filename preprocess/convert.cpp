@@ -191,14 +191,6 @@ void report_model(const Fidelity& fidelity, const PatchModel& model, ConvertRepo
   }
 }
 
-/// Normals over wide supports are better than those of the nearest neighbours. A mesh with points
-/// added has more points than known normals.
-void take_known_normals(const std::vector<glm::vec3>& known, LocalFrames& frames) {
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (known[i] != glm::vec3(0.0F)) frames.normals[i] = known[i];
-  }
-}
-
 NormalSource source_of_normals(const NormalsReport& report, const CleanScan& clean) {
   if (!report.estimated) return NormalSource::Points;
   return clean.normals.empty() ? NormalSource::Fits : NormalSource::FitsAndPoints;

@@ -40,13 +40,14 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 10\nspacing {} cone {} overlap {} step {} colours {} side {} {} {} {}\n"
+      "relief {} tiles 11\nnoise {} {}\nspacing {} cone {} overlap {} step {} colours {} side {} "
+      "{} {} {}\n"
       "codec {} normals {}\ntile {}\nread {} {} {} scalars {}\n",
-      kVersion, options.spacing, options.cone_degrees,
-      options.seams.value_or(false) ? -1 : options.overlap_cells, options.height_step,
-      options.colour_scale, static_cast<int>(options.side.side), options.side.toward.x,
-      options.side.toward.y, options.side.toward.z, static_cast<int>(file_options.codec),
-      file_options.normal_degrees,
+      kVersion, static_cast<int>(options.noise_removal), options.noise, options.spacing,
+      options.cone_degrees, options.seams.value_or(false) ? -1 : options.overlap_cells,
+      options.height_step, options.colour_scale, static_cast<int>(options.side.side),
+      options.side.toward.x, options.side.toward.y, options.side.toward.z,
+      static_cast<int>(file_options.codec), file_options.normal_degrees,
       tile_points(spread_options, spread_options.read.scalars.empty() ? 0 : kMaxScalars),
       spread_options.read.format, describe_classes(spread_options.read.selection),
       crop_text(spread_options.read.selection), scalars_text(spread_options.read.scalars));

@@ -267,7 +267,6 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
           ->excludes("--samples-per-point")
           ->excludes("--error")
           ->excludes("--clean")
-          ->excludes("--noise")
           ->excludes("--thin")
           ->transform(CLI::AsSizeValue(false))
           ->check(bytes_from(kMinTileMemory))

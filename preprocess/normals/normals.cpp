@@ -180,6 +180,12 @@ std::vector<glm::vec3> normals_of_faces(const Points& points, const MeshEdges& e
   return normals_from_triangles(points);
 }
 
+void take_known_normals(const std::vector<glm::vec3>& known, LocalFrames& frames) {
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i] != glm::vec3(0.0F)) frames.normals[i] = known[i];
+  }
+}
+
 NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
                                const LocalFrames& frames, const NormalsOptions& options,
                                const Progress& progress) {

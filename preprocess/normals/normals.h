@@ -31,6 +31,10 @@ struct LocalFrames {
 [[nodiscard]] LocalFrames fit_local_frames(const std::vector<glm::dvec3>& positions,
                                            const NeighbourGraph& graph);
 
+/// Takes these normals instead, unit or 0 where none is known: those over wide supports are better
+/// than those of the nearest neighbours. A mesh with points added has more points than `known`.
+void take_known_normals(const std::vector<glm::vec3>& known, LocalFrames& frames);
+
 struct NormalsOptions {
   /// If not Auto, given normals are turned, too. Those of faces have the faces' side always.
   SideChoice side;

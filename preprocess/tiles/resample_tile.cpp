@@ -85,13 +85,16 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
                                .scalar_infos = surveyed.scalars},
                               std::vector<double>(regions.size(), 1.0), options, regions, progress);
   if (progress.cancelled()) return made;
+  // Errors are those of the points as scanned, noise included.
+  const std::vector<glm::dvec3>& measured =
+      tile.scanned.empty() ? tile.points.positions : tile.scanned;
   std::vector<double> distances = distances_to_patches(
-      tile.points.positions, tile.own, graph, owners_of(regions, tile.points.size()), made.patches);
+      measured, tile.own, graph, owners_of(regions, tile.points.size()), made.patches);
   if (options.seams) {
-    compare_with_seams(tile.points.positions, made.patches,
+    compare_with_seams(measured, made.patches,
                        SeamDistances(made.patches, make_seams(made.patches)), distances);
   }
-  const Fidelity fidelity = measure_fidelity(tile.points.positions, distances, made.patches);
+  const Fidelity fidelity = measure_fidelity(measured, distances, made.patches);
   made.sum_of_squares = fidelity.rms * fidelity.rms * static_cast<double>(tile.own);
   made.error_max = fidelity.max;
   made.uncovered = fidelity.uncovered;

@@ -15,6 +15,20 @@
 
 namespace relief {
 
+namespace {
+
+/// Keeps the values of the points that were kept: the first of each.
+template <class T>
+void keep_first(const std::vector<std::uint32_t>& number, std::vector<T>& values) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (number[i] == kept) values[kept++] = values[i];
+  }
+  values.resize(kept);
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> merge_duplicates(TilePoints& tile) {
   std::vector<std::uint32_t> number;
   ReadResult cleaned = clean_points(std::move(tile.points), &number);
@@ -29,6 +43,8 @@ std::vector<std::uint32_t> merge_duplicates(TilePoints& tile) {
     if (number[tile.own + h] == kept) tile.home[kept++ - own] = tile.home[h];
   }
   tile.home.resize(kept - own);
+  keep_first(number, tile.scanned);
+  keep_first(number, tile.smooth_normals);
   number.resize(tile.own);
   tile.own = own;
   return number;
@@ -74,6 +90,7 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return survey;
   LocalFrames frames = fit_local_frames(points.positions, graph);
+  take_known_normals(tile.smooth_normals, frames);
   const NormalsReport normals =
       complete_normals(points, graph, frames, {.side = options.side}, progress);
   survey.normals_repaired = normals.repaired;

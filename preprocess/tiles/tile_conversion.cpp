@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/median.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/frame/working_frame.h"
 #include "preprocess/frame/working_unit.h"
@@ -17,6 +18,7 @@
 #include "preprocess/tiles/resample_tile.h"
 #include "preprocess/tiles/survey.h"
 #include "preprocess/tiles/tile_files.h"
+#include "preprocess/tiles/tile_noise.h"
 
 namespace relief {
 namespace {
@@ -41,8 +43,8 @@ class TileConversion {
     if (const Status good = check_spacing(options_.spacing * scan_.unit, scan_.bounds); !good)
       return make_error("{}: {}", name_, good.error().message);
     for (const auto step :
-         {&TileConversion::survey, &TileConversion::orient, &TileConversion::choose_grid,
-          &TileConversion::resample, &TileConversion::sum_up}) {
+         {&TileConversion::find_noise, &TileConversion::survey, &TileConversion::orient,
+          &TileConversion::choose_grid, &TileConversion::resample, &TileConversion::sum_up}) {
       RELIEF_TRY((this->*step)());
     }
     return ConvertedTiles{std::move(result_), extent(), patches_};
@@ -62,6 +64,36 @@ class TileConversion {
     loaded->points.viewpoint = scan_.viewpoint;
     loaded->points.is_airborne = scan_.is_airborne;
     return loaded;
+  }
+
+  /// Loads a tile whose points have moved to where they are without noise.
+  Result<TilePoints> load_noiseless(std::uint32_t tile) const {
+    RELIEF_TRY_ASSIGN(auto loaded, load(tile));
+    if (!removes_noise()) return loaded;
+    RELIEF_TRY(move_tile_points(
+        loaded, tile, [this](std::uint32_t home) { return load_noise(folder_.noise(home)); }));
+    return loaded;
+  }
+
+  [[nodiscard]] bool removes_noise() const { return options_.noise_removal != NoiseRemoval::None; }
+
+  Status find_noise() {
+    if (!removes_noise() || fs::exists(folder_.turns())) return {};
+    progress_.begin_stage("remove noise", scan_.read.points);
+    const auto given = options_.noise_removal == NoiseRemoval::AsGiven
+                           ? std::optional(options_.noise)
+                           : std::nullopt;
+    for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
+      if (!fs::exists(folder_.noise(tile))) {
+        RELIEF_TRY_ASSIGN(auto loaded, load(tile));
+        QuietProgress quiet(progress_);
+        const TileNoise found = find_tile_noise(std::move(loaded), given, quiet);
+        if (progress_.cancelled()) return interrupted_error();
+        RELIEF_TRY(save_noise(folder_.noise(tile), found));
+      }
+      progress_.advance(scan_.counts[tile].own);
+    }
+    return {};
   }
 
   /// Whether a known direction decides the sides.
@@ -94,7 +126,7 @@ class TileConversion {
   }
 
   Status survey_one(std::uint32_t tile) {
-    RELIEF_TRY_ASSIGN(auto loaded, load(tile));
+    RELIEF_TRY_ASSIGN(auto loaded, load_noiseless(tile));
     QuietProgress quiet(progress_);
     const SurveyOptions survey_options{.cone_degrees = options_.cone_degrees,
                                        .side = options_.side,
@@ -111,7 +143,9 @@ class TileConversion {
   }
 
   /// Contents of the file of turns.
-  auto orientation() { return std::tie(area_, radius_, repaired_, duplicates_, turns_); }
+  auto orientation() {
+    return std::tie(area_, radius_, repaired_, duplicates_, noise_, moved_, turns_);
+  }
 
   /// The sheets to flip, and other results that need the surveys of all tiles.
   Status orient() {
@@ -134,7 +168,20 @@ class TileConversion {
       repaired_ += survey.normals_repaired;
       duplicates_ += scan_.counts[tile].own - survey.region.size();
     }
+    RELIEF_TRY(sum_up_noise());
     return save_checkpoint(folder_.turns(), orientation());
+  }
+
+  /// Sums up the noise of tiles: the median of theirs, as tiles have about as many points.
+  Status sum_up_noise() {
+    std::vector<double> of_tiles;
+    for (std::uint32_t tile = 0; removes_noise() && tile < tile_count(); ++tile) {
+      RELIEF_TRY_ASSIGN(const auto found, load_noise(folder_.noise(tile)));
+      of_tiles.push_back(found.noise);
+      moved_ += found.moved;
+    }
+    if (!of_tiles.empty()) noise_ = median_of(of_tiles);
+    return {};
   }
 
   Status choose_grid() {
@@ -164,7 +211,7 @@ class TileConversion {
   }
 
   Status resample_one(std::uint32_t tile) {
-    RELIEF_TRY_ASSIGN(auto loaded, load(tile));
+    RELIEF_TRY_ASSIGN(auto loaded, load_noiseless(tile));
     merge_duplicates(loaded);
     RELIEF_TRY_ASSIGN(auto survey, load_survey(folder_.survey(tile)));
     const auto cosines = halo_cosines(loaded, [&](std::uint32_t home) {
@@ -176,7 +223,9 @@ class TileConversion {
     QuietProgress quiet(progress_);
     ResampleOptions resampling =
         resample_options(options_, seams_, spacing_,
-                         scan_.attributes.normals ? NormalSource::Points : NormalSource::Fits);
+                         scan_.attributes.normals        ? NormalSource::Points
+                         : loaded.smooth_normals.empty() ? NormalSource::Fits
+                                                         : NormalSource::FitsAndPoints);
     // Where patches that meet reach a tile's border, one cell of margin left pinholes.
     if (resampling.seams) resampling.overlap_cells = 2;
     TilePatches made = resample_tile({.points = std::move(loaded),
@@ -227,6 +276,8 @@ class TileConversion {
     report.points = all.points;
     report.normals_repaired = repaired_;
     report.normals_estimated = !scan_.attributes.normals;
+    report.noise = noise_ * scan_.unit;
+    report.points_moved = moved_;
     report.error_rms = std::sqrt(all.sum_of_squares / static_cast<double>(all.points)) * scan_.unit;
     report.psnr_db =
         20.0 * std::log10(glm::distance(scan_.bounds.min, scan_.bounds.max) / report.error_rms);
@@ -254,6 +305,8 @@ class TileConversion {
   double radius_ = 0.0;  // of all points about the centre
   std::uint64_t repaired_ = 0;
   std::uint64_t duplicates_ = 0;
+  double noise_ = 0.0;
+  std::uint64_t moved_ = 0;
   double spacing_ = 0.0;
   TiledResult result_;
   std::uint64_t patches_ = 0;

@@ -31,6 +31,9 @@ struct TilePoints {
   Points points;           ///< own points, then those of the halo
   std::size_t own = 0;     ///< number of own points
   std::vector<Home> home;  ///< of the halo's points
+  /// Positions as scanned, and normals as in SmoothPoints; empty if no noise was removed.
+  std::vector<glm::dvec3> scanned;
+  std::vector<glm::vec3> smooth_normals;
 };
 
 /// The number of points in a tile's files.

@@ -125,6 +125,10 @@ fs::path TileFolder::rim(std::size_t tile) const {
   return folder_ / fmt::format("rim-{}", tile);
 }
 
+fs::path TileFolder::noise(std::size_t tile) const {
+  return folder_ / fmt::format("noise-{}", tile);
+}
+
 fs::path TileFolder::cosines(std::size_t tile) const {
   return folder_ / fmt::format("cosines-{}", tile);
 }

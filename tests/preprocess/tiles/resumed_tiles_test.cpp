@@ -9,6 +9,7 @@
 
 #include "tests/common/patch_file/read_whole.h"
 #include "tests/common/patch_file/sample_models.h"
+#include "tests/preprocess/noise/noisy_surfaces.h"
 #include "tests/preprocess/surfaces.h"
 #include "tests/preprocess/tiles/small_tiles.h"
 #include "tests/preprocess/tiles/write_ply.h"
@@ -46,7 +47,9 @@ TEST_P(ResumedTiles, AreThoseOfOneRun) {
   options.seams = GetParam();
   const fs::path scan = folder / "torus.ply";
   const fs::path output = folder / "torus.relief";
-  write_ply(scan, test::sample_torus({}, 0.025));
+  Points points = test::sample_torus({}, 0.025);
+  points.positions = test::with_noise({points.positions, 0.025}, 0.25);
+  write_ply(scan, points);
   StopsAfter never(std::int64_t{1} << 60U);
   ASSERT_TRUE(try_convert(scan, folder / "whole.relief", never, options));
   const std::string expected = slurp(folder / "whole.relief");
