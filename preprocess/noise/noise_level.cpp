@@ -25,26 +25,27 @@ constexpr std::uint32_t kPooled = 64;
 // standard deviations below the mean of normal values.
 constexpr double kFlatShare = 0.3;
 constexpr double kFlatDeviations = -0.524;
-// What a quadric leaves over in a disc (rms), over its radius. Most in a disc of a surface; in a
-// small disc that may be one, if the next but one shows no more than 1.5 times the square of its
-// noise; in a ball of scattered points, which shows 2.25 times as much.
+// What a quadric leaves over (rms), over the radius of its disc: at most this much if the disc is
+// flat, this much in a ball of scattered points.
 constexpr double kFlat = 0.2;
-constexpr double kThick = 0.33;
 constexpr double kBall = 0.37;
-constexpr double kSteady = 1.5;
-// Larger discs of thin bodies hold both sides: steady, too.
+// Small discs up to this thick may be of a surface, up to this ring: larger discs of thin bodies
+// hold both sides. They are if they are steady: the next but one shows no more than 1.5 times the
+// square of their noise. In a ball it shows 2.25 times as much.
+constexpr double kThick = 0.33;
 constexpr std::size_t kLastSmallRing = 3;
-// A ball cuts the noise off where its plane ends. The exponents of what is left of its square, by
-// ring, the last for all others: measured on planes with noise of up to four spacings.
+constexpr double kSteady = 1.5;
+// A disc cuts thick noise off where it ends. By ring, the last for all others, the exponents of
+// what it leaves of the square: measured on planes with noise of up to four spacings.
 constexpr std::array<double, 4> kCutOff = {0.36, 0.44, 0.5, 0.57};
 // How much the squares of what detail leaves over grow from a disc to the next but one, 2.25 times
 // as large; 2.4 to 5 on scans without noise. The smallest, so that no detail counts as noise.
 constexpr double kDetailGrowth = 2.4;
-// The shares of places that show less at least than what is usual, and than what none has more of.
-// Where a scan bends sharply the lower bounds are low: with the median, fandisk with noise of one
-// spacing kept 0.44 of it, with this 0.37. Two near sheets look like noise of half their distance:
-// without a bound, bun_zipper with noise of one spacing keeps 0.38 of it, for 0.28, and 1.1 % of
-// its samples face inward, for 0.2 %.
+// The usual noise is more than this share of the places show at least, and no place has more than
+// kMost show. Where a scan bends sharply the lower bounds are low: with the median, fandisk with
+// noise of one spacing kept 0.44 of it, with this 0.37. Two near sheets look like noise of half
+// their distance: without a bound, bun_zipper with noise of one spacing keeps 0.38 of it, for 0.28,
+// and 1.1 % of its samples face inward, for 0.2 %.
 constexpr double kUsual = 0.6;
 constexpr double kMost = 0.95;
 
@@ -77,6 +78,9 @@ Profile profile_at(const Rings& rings, QuadricFit& fit) {
 struct NoiseRange {
   double low = 0.0;   ///< what detail does not explain
   double high = 0.0;  ///< all that is left over
+  /// Of a flat disc. Small thick ones tell what is usual; at edges they show more than there is:
+  /// taken at their word, these cost edges of a noisy fandisk 2 degrees.
+  bool is_flat = false;
 };
 
 /// The variance of the noise that leaves over so much in a ring's disc, which cuts it off.
@@ -109,7 +113,8 @@ std::optional<NoiseRange> range_of(const Profile& flat) {
   const double least = (kDetailGrowth * noise - further) / (kDetailGrowth - 1.0);
   // By chance larger discs may have less.
   const double low = std::sqrt(std::max(least, 0.0));
-  return NoiseRange{low, std::max(low, std::sqrt(noise))};
+  const bool is_flat = flat[*ring] <= kFlat * kFlat * Rings::squared_radius(*ring);
+  return NoiseRange{low, std::max(low, std::sqrt(noise)), is_flat};
 }
 
 /// The positions that are looked at, each for as many slots of the tree as the stride.
@@ -199,11 +204,13 @@ std::vector<float> estimate_noise(const PositionTree& tree, const std::vector<fl
   const float usual_spacing = median_of(spacing);
   for (std::size_t slot = 0; slot < noise.size(); ++slot) {
     const std::optional<NoiseRange>& range = ranges[slot / places.stride];
-    // Balls of sparse points are no surface, whose noise would grow with its spacing.
-    noise[slot] =
-        range ? static_cast<float>(std::clamp(usual, std::min(range->low, most), range->high)) *
-                    spacing[slot]
-              : static_cast<float>(usual) * std::min(spacing[slot], usual_spacing);
+    if (!range) {
+      // Balls of sparse points are no surface, whose noise would grow with its spacing.
+      noise[slot] = static_cast<float>(usual) * std::min(spacing[slot], usual_spacing);
+      continue;
+    }
+    const double low = range->is_flat ? std::min(range->low, most) : 0.0;
+    noise[slot] = static_cast<float>(std::clamp(usual, low, range->high)) * spacing[slot];
   }
   return noise;
 }

@@ -58,8 +58,9 @@ TEST(Neighbours, DuplicatesAreNeighboursAtNoDistance) {
 }
 
 TEST(Neighbours, SpacingIsTheDistanceBetweenSamples) {
-  constexpr double kStep = 0.02;
-  const Points points = test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; });
+  constexpr double kGridStep = 0.02;
+  const Points points =
+      test::sample_height_field(0.5, kGridStep, [](double, double) { return 0.0; });
   const NeighbourGraph graph = find_neighbours(points.positions, 16);
   double sum = 0.0;
   std::size_t inner = 0;
@@ -70,7 +71,7 @@ TEST(Neighbours, SpacingIsTheDistanceBetweenSamples) {
   }
   // The 8th neighbour of a square grid is at sqrt(2) steps, which gives 0.89; jitter moves it
   // outward.
-  EXPECT_NEAR(sum / static_cast<double>(inner), kStep, 0.12 * kStep);
+  EXPECT_NEAR(sum / static_cast<double>(inner), kGridStep, 0.12 * kGridStep);
 }
 
 /// Drops every `step`-th of so many points; the graph of what is left is that of a new search.
@@ -113,8 +114,8 @@ TEST(NeighboursAfterDrop, OfFewPointsAreFewer) {
 }
 
 TEST(PointRadii, FollowTheSpacingAndKeepOutliersSmall) {
-  constexpr double kStep = 0.02;
-  Points points = test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; });
+  constexpr double kGridStep = 0.02;
+  Points points = test::sample_height_field(0.5, kGridStep, [](double, double) { return 0.0; });
   points.positions.emplace_back(0.0, 0.0, 5.0);
   const NeighbourGraph graph = find_neighbours(points.positions, 16);
   const std::vector<double> radii = find_radii(graph);
@@ -127,9 +128,9 @@ TEST(PointRadii, FollowTheSpacingAndKeepOutliersSmall) {
     ++inner;
   }
   // 1.2 spacings, those with the tolerance above.
-  EXPECT_NEAR(sum / static_cast<double>(inner), 1.2 * kStep, 0.12 * 1.2 * kStep);
+  EXPECT_NEAR(sum / static_cast<double>(inner), 1.2 * kGridStep, 0.12 * 1.2 * kGridStep);
   // Its 8th neighbour is 5 away; twice the spacing of its neighbours is 0.04, and 1.2 times that.
-  EXPECT_NEAR(radii.back(), 2.0 * 1.2 * kStep, 0.2 * kStep * 2.4);
+  EXPECT_NEAR(radii.back(), 2.0 * 1.2 * kGridStep, 0.2 * kGridStep * 2.4);
 }
 
 }  // namespace
