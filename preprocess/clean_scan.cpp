@@ -6,29 +6,11 @@
 #include <utility>
 
 #include "preprocess/noise/remove_noise.h"
-#include "preprocess/points/keep_points.h"
 #include "preprocess/points/sort_in_space.h"
 #include "preprocess/points/stray_points.h"
 
 namespace relief {
 namespace {
-
-// Two rounds find all but some of 3,000 outliers among 36,000 points; a third finds few more.
-constexpr int kMostRounds = 3;
-
-/// Drops stray points, unless most are, which then are the scan. The graph follows. Returns the
-/// number of dropped points.
-std::uint64_t drop_stray_points(Points& points, NeighbourGraph& graph, const Progress& progress) {
-  std::uint64_t dropped = 0;
-  for (int round = 0; round < kMostRounds && !progress.cancelled(); ++round) {
-    const std::vector<std::uint8_t> stray = find_stray_points(points.positions, graph);
-    const auto count = static_cast<std::size_t>(std::ranges::count(stray, 1));
-    if (count == 0 || 2 * count > points.size() || points.size() - count < kMinSurfacePoints) break;
-    dropped += drop_points(points, stray);
-    graph = neighbours_after_drop(graph, stray, points.positions);
-  }
-  return dropped;
-}
 
 NoiseRemoval removal_of(const ConvertOptions& options, bool is_bare) {
   if (options.noise_removal != NoiseRemoval::Default) return options.noise_removal;
@@ -47,7 +29,10 @@ Result<CleanScan> drop_strays(Points& points, const ConvertOptions& options, Con
   progress.begin_stage("neighbours", 0);
   clean.graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
-  if (is_bare) report.stray_points = drop_stray_points(points, *clean.graph, progress);
+  if (is_bare) {
+    report.stray_points = static_cast<std::uint64_t>(
+        std::ranges::count(drop_stray_points(points, *clean.graph, progress), 1));
+  }
   // Points far away give the scan another frame, and all others one place in it.
   if (report.stray_points > 0) clean.graph = reordered(*clean.graph, sort_in_space(points));
   if (progress.cancelled()) return interrupted_error();

@@ -5,6 +5,7 @@
 #include "common/neighbours/neighbours.h"
 #include "preprocess/normals/normals.h"
 #include "preprocess/normals/side_pieces.h"
+#include "preprocess/points/stray_points.h"
 
 namespace relief {
 namespace {
@@ -33,7 +34,8 @@ SampledSides orient_sample(std::vector<glm::dvec3> points, const SideChoice& cho
                            const Progress& progress) {
   Points sample;
   sample.positions = std::move(points);
-  const NeighbourGraph graph = find_neighbours(sample.positions, kSurfaceNeighbours);
+  NeighbourGraph graph = find_neighbours(sample.positions, kSurfaceNeighbours);
+  drop_stray_points(sample, graph, progress);
   sample.normals = fit_local_frames(sample.positions, graph).normals;
   const float number = orient_normals(sample, graph, choice, sample.normals, progress);
   SidePieces pieces = pieces_as(sample, graph, known_sides(sample, choice));

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "common/median.h"
+#include "preprocess/points/keep_points.h"
 #include "preprocess/points/plane_fit.h"
 
 namespace relief {
@@ -26,6 +28,8 @@ constexpr double kLoneOffInSpacings = 0.5;
 constexpr double kBallShare = 0.28;
 constexpr float kSparseInMedians = 4.0F;
 constexpr std::uint32_t kEighth = 8;
+// Two rounds find all but some of 3,000 outliers among 36,000 points; a third finds few more.
+constexpr int kStrayRounds = 3;
 
 }  // namespace
 
@@ -50,6 +54,28 @@ std::vector<std::uint8_t> find_stray_points(const std::vector<glm::dvec3>& posit
     stray[i] = is_off || is_lone || is_in_ball ? 1 : 0;
   });
   return stray;
+}
+
+std::vector<std::uint8_t> drop_stray_points(Points& points, NeighbourGraph& graph,
+                                            const Progress& progress) {
+  std::vector<std::uint8_t> dropped(points.size(), 0);
+  std::vector<std::uint32_t> left(points.size());
+  std::iota(left.begin(), left.end(), 0U);
+  for (int round = 0; round < kStrayRounds && !progress.cancelled(); ++round) {
+    const std::vector<std::uint8_t> stray = find_stray_points(points.positions, graph);
+    const auto count = static_cast<std::size_t>(std::ranges::count(stray, 1));
+    if (count == 0 || 2 * count > points.size() || points.size() - count < kMinSurfacePoints) break;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < stray.size(); ++i) {
+      if (stray[i] != 0)
+        dropped[left[i]] = 1;
+      else
+        left[kept++] = left[i];
+    }
+    drop_points(points, stray);
+    graph = neighbours_after_drop(graph, stray, points.positions);
+  }
+  return dropped;
 }
 
 }  // namespace relief

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "common/neighbours/neighbours.h"
+#include "common/points.h"
+#include "common/progress.h"
 
 namespace relief {
 
@@ -20,5 +22,10 @@ namespace relief {
 /// kSurfaceNeighbours neighbours. Points beside clouds show only once those are gone.
 [[nodiscard]] std::vector<std::uint8_t> find_stray_points(const std::vector<glm::dvec3>& positions,
                                                           const NeighbourGraph& graph);
+
+/// Drops stray points, and those that show once these are gone, unless most are stray, which then
+/// are the scan. The graph follows. Returns for each point, as they were, 1 if it was dropped.
+std::vector<std::uint8_t> drop_stray_points(Points& points, NeighbourGraph& graph,
+                                            const Progress& progress);
 
 }  // namespace relief

@@ -94,12 +94,11 @@ Result<Level> make_level(const TiledModel& model, const Level& below, unsigned n
   ConvertOptions options = model.options;
   options.spacing = std::ldexp(model.spacing, static_cast<int>(number));
   options.height_step = std::ldexp(options.height_step, static_cast<int>(number));
-  options.noise_removal = NoiseRemoval::None;  // samples have none
   options.colour_scale = 1;  // they are drawn where samples are no farther apart than pixels
   const TileFolder folder = model.job.overview(number);
   RELIEF_TRY_ASSIGN(auto scan, open_level(model, below, options.spacing, folder, progress));
   const auto made =
-      convert_spread({model.name, folder, scan, options, model.file_options}, progress);
+      convert_spread({model.name, folder, scan, options, model.file_options, true}, progress);
   if (!made) return made.error();
   Level level{folder, std::move(scan), {}, 0.0};
   RELIEF_TRY(count_samples(level));

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "preprocess/partition/find_regions.h"
+#include "preprocess/points/no_point.h"
 #include "preprocess/readers/read_points.h"
 #include "preprocess/resample/resample.h"
 #include "preprocess/resample/spacing/error_spacing.h"
@@ -30,10 +31,10 @@ void keep_first(const std::vector<std::uint32_t>& number, std::vector<T>& values
 }  // namespace
 
 std::vector<std::uint32_t> merge_duplicates(TilePoints& tile) {
-  std::vector<std::uint32_t> number;
+  std::vector<std::uint32_t> number;  // of each point before
   ReadResult cleaned = clean_points(std::move(tile.points), &number);
   tile.points = std::move(cleaned.points);
-  if (cleaned.merged_duplicates == 0) return {};
+  if (cleaned.merged_duplicates == 0) return tile.number;
   // A point and its duplicates are in the same tile, so that points of the halo still follow own
   // ones.
   std::size_t own = 0;
@@ -47,7 +48,10 @@ std::vector<std::uint32_t> merge_duplicates(TilePoints& tile) {
   keep_first(number, tile.smooth_normals);
   number.resize(tile.own);
   tile.own = own;
-  return number;
+  if (tile.number.empty()) return number;
+  std::vector<std::uint32_t> in_file = tile.number;
+  for (std::uint32_t& i : in_file) i = i == kNoPoint ? kNoPoint : number[i];
+  return in_file;
 }
 
 namespace {
@@ -65,6 +69,7 @@ std::vector<float> own_cosines(const TilePoints& tile, const TileSurvey& survey,
   std::vector<float> cosines(count, 1.0F);
   for (std::size_t in_file = 0; in_file < count; ++in_file) {
     const std::size_t i = survey.number.empty() ? in_file : survey.number[in_file];
+    if (i == kNoPoint) continue;
     if (survey.region[i] != kNoRegion)
       cosines[in_file] = glm::dot(tile.points.normals[i], regions[survey.region[i]].normal);
   }

@@ -21,7 +21,7 @@ inline constexpr std::uint32_t kNoRegion = UINT32_MAX;
 /// Attributes of a tile's points, in the order of merge_duplicates: own points, then the halo.
 struct TileSurvey {
   std::vector<std::uint32_t>
-      number;  ///< new index of each point of the tile's own file; empty: unchanged
+      number;  ///< new index of each point of the tile's own file, or kNoPoint; empty: unchanged
   std::vector<glm::vec3> normals;         ///< unit; the side of each sheet is not yet decided
   std::vector<float> roughness;           ///< as in LocalFrames
   Sheets sheets;                          ///< empty if normals were given and good
@@ -43,8 +43,8 @@ struct RimPoint {
   std::uint32_t sheet = 0;  ///< sheet of the survey; 0 if it has no sheets
 };
 
-/// Merges points at equal positions, as clean_points does. Returns the new index of each of the
-/// tile's own points; empty without duplicates.
+/// Merges points at equal positions, as clean_points does. Returns the new index of each point of
+/// the tile's own file, kNoPoint for those dropped before (TilePoints::number); empty: unchanged.
 std::vector<std::uint32_t> merge_duplicates(TilePoints& tile);
 
 struct SurveyOptions {

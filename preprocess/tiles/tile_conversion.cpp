@@ -14,11 +14,11 @@
 #include "preprocess/frame/working_unit.h"
 #include "preprocess/normals/orient_sample.h"
 #include "preprocess/tiles/checkpoint.h"
+#include "preprocess/tiles/clean_tile.h"
 #include "preprocess/tiles/join_sheets.h"
 #include "preprocess/tiles/resample_tile.h"
 #include "preprocess/tiles/survey.h"
 #include "preprocess/tiles/tile_files.h"
-#include "preprocess/tiles/tile_noise.h"
 
 namespace relief {
 namespace {
@@ -33,6 +33,7 @@ class TileConversion {
         scan_(task.scan),
         options_(to_working_unit(task.options, scan_.unit)),
         file_options_(task.file_options),
+        is_clean_(task.is_clean),
         progress_(progress),
         centre_(to_working_frame(scan_.frame,
                                  (scan_.bounds.min + scan_.bounds.max) / 2.0 / scan_.unit)) {
@@ -43,7 +44,7 @@ class TileConversion {
     if (const Status good = check_spacing(options_.spacing * scan_.unit, scan_.bounds); !good)
       return make_error("{}: {}", name_, good.error().message);
     for (const auto step :
-         {&TileConversion::find_noise, &TileConversion::survey, &TileConversion::orient,
+         {&TileConversion::clean, &TileConversion::survey, &TileConversion::orient,
           &TileConversion::choose_grid, &TileConversion::resample, &TileConversion::sum_up}) {
       RELIEF_TRY((this->*step)());
     }
@@ -66,30 +67,25 @@ class TileConversion {
     return loaded;
   }
 
-  /// Loads a tile whose points have moved to where they are without noise.
-  Result<TilePoints> load_noiseless(std::uint32_t tile) const {
+  /// Loads a tile without noise and stray points.
+  Result<TilePoints> load_clean(std::uint32_t tile) const {
     RELIEF_TRY_ASSIGN(auto loaded, load(tile));
-    if (!removes_noise()) return loaded;
-    RELIEF_TRY(move_tile_points(
-        loaded, tile, [this](std::uint32_t home) { return load_noise(folder_.noise(home)); }));
+    if (is_clean_) return loaded;
+    RELIEF_TRY(take_clean_points(
+        loaded, tile, [this](std::uint32_t home) { return load_clean_tile(folder_.clean(home)); }));
     return loaded;
   }
 
-  [[nodiscard]] bool removes_noise() const { return options_.noise_removal != NoiseRemoval::None; }
-
-  Status find_noise() {
-    if (!removes_noise() || fs::exists(folder_.turns())) return {};
-    progress_.begin_stage("remove noise", scan_.read.points);
-    const auto given = options_.noise_removal == NoiseRemoval::AsGiven
-                           ? std::optional(options_.noise)
-                           : std::nullopt;
+  Status clean() {
+    if (is_clean_ || fs::exists(folder_.turns())) return {};
+    progress_.begin_stage("clean", scan_.read.points);
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
-      if (!fs::exists(folder_.noise(tile))) {
+      if (!fs::exists(folder_.clean(tile))) {
         RELIEF_TRY_ASSIGN(auto loaded, load(tile));
         QuietProgress quiet(progress_);
-        const TileNoise found = find_tile_noise(std::move(loaded), given, quiet);
+        const CleanTile found = clean_tile(std::move(loaded), options_, quiet);
         if (progress_.cancelled()) return interrupted_error();
-        RELIEF_TRY(save_noise(folder_.noise(tile), found));
+        RELIEF_TRY(save_clean_tile(folder_.clean(tile), found));
       }
       progress_.advance(scan_.counts[tile].own);
     }
@@ -126,7 +122,7 @@ class TileConversion {
   }
 
   Status survey_one(std::uint32_t tile) {
-    RELIEF_TRY_ASSIGN(auto loaded, load_noiseless(tile));
+    RELIEF_TRY_ASSIGN(auto loaded, load_clean(tile));
     QuietProgress quiet(progress_);
     const SurveyOptions survey_options{.cone_degrees = options_.cone_degrees,
                                        .side = options_.side,
@@ -144,7 +140,7 @@ class TileConversion {
 
   /// Contents of the file of turns.
   auto orientation() {
-    return std::tie(area_, radius_, repaired_, duplicates_, noise_, moved_, turns_);
+    return std::tie(area_, radius_, repaired_, duplicates_, noise_, moved_, strays_, turns_);
   }
 
   /// The sheets to flip, and other results that need the surveys of all tiles.
@@ -168,24 +164,26 @@ class TileConversion {
       repaired_ += survey.normals_repaired;
       duplicates_ += scan_.counts[tile].own - survey.region.size();
     }
-    RELIEF_TRY(sum_up_noise());
+    RELIEF_TRY(sum_up_cleaning());
+    duplicates_ -= strays_;
     return save_checkpoint(folder_.turns(), orientation());
   }
 
-  /// Sums up the noise of tiles: the median of theirs, as tiles have about as many points.
-  Status sum_up_noise() {
+  /// The scan's noise is the median of that of tiles, which have about as many points.
+  Status sum_up_cleaning() {
     std::vector<double> of_tiles;
-    for (std::uint32_t tile = 0; removes_noise() && tile < tile_count(); ++tile) {
-      RELIEF_TRY_ASSIGN(const auto found, load_noise(folder_.noise(tile)));
+    for (std::uint32_t tile = 0; !is_clean_ && tile < tile_count(); ++tile) {
+      RELIEF_TRY_ASSIGN(const auto found, load_clean_tile(folder_.clean(tile)));
       of_tiles.push_back(found.noise);
       moved_ += found.moved;
+      strays_ += found.strays;
     }
     if (!of_tiles.empty()) noise_ = median_of(of_tiles);
     return {};
   }
 
   Status choose_grid() {
-    const std::uint64_t points = scan_.read.points - duplicates_;
+    const std::uint64_t points = scan_.read.points - duplicates_ - strays_;
     spacing_ =
         options_.spacing > 0.0 ? options_.spacing : std::sqrt(area_ / static_cast<double>(points));
     if (!(spacing_ > 0.0))
@@ -211,7 +209,7 @@ class TileConversion {
   }
 
   Status resample_one(std::uint32_t tile) {
-    RELIEF_TRY_ASSIGN(auto loaded, load_noiseless(tile));
+    RELIEF_TRY_ASSIGN(auto loaded, load_clean(tile));
     merge_duplicates(loaded);
     RELIEF_TRY_ASSIGN(auto survey, load_survey(folder_.survey(tile)));
     const auto cosines = halo_cosines(loaded, [&](std::uint32_t home) {
@@ -278,6 +276,7 @@ class TileConversion {
     report.normals_estimated = !scan_.attributes.normals;
     report.noise = noise_ * scan_.unit;
     report.points_moved = moved_;
+    report.stray_points = strays_;
     report.error_rms = std::sqrt(all.sum_of_squares / static_cast<double>(all.points)) * scan_.unit;
     report.psnr_db =
         20.0 * std::log10(glm::distance(scan_.bounds.min, scan_.bounds.max) / report.error_rms);
@@ -296,6 +295,7 @@ class TileConversion {
   ConvertOptions options_;  // in the tiles' unit and frame, as all that follows
   bool seams_ = options_.seams.value_or(false);
   const PatchFileOptions& file_options_;
+  bool is_clean_;
   Progress& progress_;
   glm::dvec3 centre_;
 
@@ -307,6 +307,7 @@ class TileConversion {
   std::uint64_t duplicates_ = 0;
   double noise_ = 0.0;
   std::uint64_t moved_ = 0;
+  std::uint64_t strays_ = 0;
   double spacing_ = 0.0;
   TiledResult result_;
   std::uint64_t patches_ = 0;

@@ -21,6 +21,7 @@ struct TileTask {
   const SpreadScan& scan;
   const ConvertOptions& options;
   const PatchFileOptions& file_options;
+  bool is_clean = false;  ///< samples, without noise and stray points
 };
 
 /// The combined result of all parts in the folder.

@@ -31,6 +31,9 @@ struct TilePoints {
   Points points;           ///< own points, then those of the halo
   std::size_t own = 0;     ///< number of own points
   std::vector<Home> home;  ///< of the halo's points
+  /// New index of each point of the tile's own file once stray points were dropped, kNoPoint for
+  /// these; empty: unchanged.
+  std::vector<std::uint32_t> number;
   /// Positions as scanned, and normals as in SmoothPoints; empty if no noise was removed.
   std::vector<glm::dvec3> scanned;
   std::vector<glm::vec3> smooth_normals;

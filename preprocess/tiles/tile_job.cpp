@@ -125,8 +125,8 @@ fs::path TileFolder::rim(std::size_t tile) const {
   return folder_ / fmt::format("rim-{}", tile);
 }
 
-fs::path TileFolder::noise(std::size_t tile) const {
-  return folder_ / fmt::format("noise-{}", tile);
+fs::path TileFolder::clean(std::size_t tile) const {
+  return folder_ / fmt::format("clean-{}", tile);
 }
 
 fs::path TileFolder::cosines(std::size_t tile) const {

@@ -18,7 +18,7 @@ class TileFolder {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::filesystem::path layout() const { return folder_ / "layout"; }
   [[nodiscard]] std::filesystem::path turns() const { return folder_ / "turns"; }
-  [[nodiscard]] std::filesystem::path noise(std::size_t tile) const;
+  [[nodiscard]] std::filesystem::path clean(std::size_t tile) const;
   [[nodiscard]] std::filesystem::path survey(std::size_t tile) const;
   [[nodiscard]] std::filesystem::path rim(std::size_t tile) const;
   [[nodiscard]] std::filesystem::path cosines(std::size_t tile) const;

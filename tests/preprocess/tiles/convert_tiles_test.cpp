@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <random>
 
 #include "common/octahedral.h"
 #include "preprocess/convert.h"
@@ -143,6 +144,26 @@ TEST(ConvertTiles, RemovesNoiseAsAConversionInMemoryDoes) {
   const TiledResult kept = must_convert(folder / "torus.ply", folder / "torus.relief", options);
   EXPECT_EQ(kept.report.points_moved, 0U);
   EXPECT_GT(rms_off(torus, read_whole(folder / "torus.relief")), 0.006);
+}
+
+TEST(ConvertTiles, LeavesStrayPointsOut) {
+  const ScratchFolder folder;
+  Points points = test::sample_torus({}, 0.02);
+  const std::size_t scanned = points.size();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> anywhere(-1.5, 1.5);
+  while (points.size() < scanned + 1000) {
+    const glm::dvec3 p(anywhere(random), anywhere(random), anywhere(random));
+    // Twice, as points that were measured many times.
+    if (std::abs(test::Torus{}.distance(p)) > 0.1)
+      points.positions.insert(points.positions.end(), 2, p);
+  }
+  write_ply(folder / "torus.ply", points);
+  const TiledResult tiled = must_convert(folder / "torus.ply", folder / "torus.relief");
+  // Some lie together by chance; one piece leaves as many.
+  EXPECT_GE(tiled.report.stray_points, 495U);
+  EXPECT_EQ(tiled.duplicates, 500U);
+  EXPECT_LT(rms_off({}, read_whole(folder / "torus.relief")), 0.01);
 }
 
 // A piece of a torus' surface is open, so that its own outside may well be the torus' inside.
