@@ -24,6 +24,7 @@ void continue_over_holes(AttributeMap<Texel>& map, std::span<const std::uint8_t>
   const std::size_t width = map.width;
   const std::size_t height = map.height;
   assert(state.size() == width * height);
+  if (width == 0) return;
 
   const auto for_neighbours = [width, height](std::size_t k, const auto& visit) {
     const std::size_t i = k % width;

@@ -25,6 +25,7 @@ auto clean_fields(Clean& c) {
 /// The new index of each point once some are dropped; kNoPoint for those.
 std::vector<std::uint32_t> indices_after(const std::vector<std::uint8_t>& dropped) {
   std::vector<std::uint32_t> index;
+  index.reserve(dropped.size());
   std::uint32_t kept = 0;
   for (const std::uint8_t is_dropped : dropped)
     index.push_back(is_dropped != 0 ? kNoPoint : kept++);
