@@ -41,11 +41,11 @@ constexpr std::array<double, 4> kCutOff = {0.36, 0.44, 0.5, 0.57};
 // How much the squares of what detail leaves over grow from a disc to the next but one, 2.25 times
 // as large; 2.4 to 5 on scans without noise. The smallest, so that no detail counts as noise.
 constexpr double kDetailGrowth = 2.4;
-// The usual noise is more than this share of the places show at least, and no place has more than
-// kMost show. Where a scan bends sharply the lower bounds are low: with the median, fandisk with
-// noise of one spacing kept 0.44 of it, with this 0.37. Two near sheets look like noise of half
-// their distance: without a bound, bun_zipper with noise of one spacing keeps 0.38 of it, for 0.28,
-// and 1.1 % of its samples face inward, for 0.2 %.
+// The usual noise is the lower bound that this share of the places are below, and no place has more
+// than that of kMost. Where a scan bends sharply the lower bounds are low: with the median, fandisk
+// with noise of one spacing kept 0.44 of it, with this 0.37. Two near sheets look like noise of
+// half their distance: without a bound, bun_zipper with noise of one spacing keeps 0.38 of it, for
+// 0.28, and 1.1 % of its samples face inward, for 0.2 %.
 constexpr double kUsual = 0.6;
 constexpr double kMost = 0.95;
 
@@ -180,7 +180,7 @@ std::vector<std::optional<NoiseRange>> pool(const Places& places) {
   return ranges;
 }
 
-/// The noise that this share of the places show less of at least, units.
+/// The lower bound of noise that this share of the places are below, units.
 double shown_by(const std::vector<std::optional<NoiseRange>>& ranges, double share) {
   std::vector<double> lows;
   for (const auto& range : ranges) {
