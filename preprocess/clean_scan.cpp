@@ -44,7 +44,7 @@ Status drop_noise(Points& points, const ConvertOptions& options, double unit, Cl
   const bool is_bare = points.triangles.empty();
   const NoiseRemoval removal = removal_of(options, is_bare);
   if (!clean.graph || removal == NoiseRemoval::None) return {};
-  const auto given = removal == NoiseRemoval::AsGiven ? std::optional(options.noise) : std::nullopt;
+  const std::optional<double> given = given_noise(options);
   NoiselessPoints noiseless = remove_noise(points.positions, clean.graph->spacing, given, progress);
   if (progress.cancelled()) return interrupted_error();
   report.noise = noiseless.report.noise;

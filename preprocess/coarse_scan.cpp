@@ -62,11 +62,7 @@ void keep_large_sides(const std::vector<std::uint32_t>& triangles, CoarseScan& c
       static_cast<double>(count) <= kMostInSmallSides * static_cast<double>(points.size());
   if (!coarse.has_sides) return;
   drop_points(points, dropped);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < dropped.size(); ++i) {
-    if (dropped[i] == 0) sides.of_points[kept++] = sides.of_points[i];
-  }
-  sides.of_points.resize(kept);
+  drop_values(dropped, sides.of_points);
 }
 
 /// 0 without a spacing.

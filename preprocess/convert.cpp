@@ -191,11 +191,6 @@ void report_model(const Fidelity& fidelity, const PatchModel& model, ConvertRepo
   }
 }
 
-NormalSource source_of_normals(const NormalsReport& report, const CleanScan& clean) {
-  if (!report.estimated) return NormalSource::Points;
-  return clean.normals.empty() ? NormalSource::Fits : NormalSource::FitsAndPoints;
-}
-
 Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& options, double unit,
                                       Progress& progress) {
   ConvertResult result;
@@ -269,23 +264,24 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
       mesh.triangles.empty() && !(options.spacing > 0.0) && is_uneven(samples, regions));
   if (follows_density) regions = split_by_density(samples, graph, std::move(regions));
   const std::vector<ScalarInfo> scalars = describe_scalars(points.scalars);
-  const PartitionedScan scan{.unit = unit,
-                             .points = points,
-                             .mesh = mesh,
-                             .sides = sides,
-                             .scanned = clean.scanned.empty() ? points.positions : clean.scanned,
-                             .measured = coarse || least > 0 ? points.size() : result.report.points,
-                             .graph = graph,
-                             .samples = samples,
-                             .regions = regions,
-                             .scalars = scalars,
-                             .creases = meeting.creases ? &*meeting.creases : nullptr,
-                             .border = meeting.border.get(),
-                             .spheres = mesh.triangles.empty() ? nullptr : &in_time.spheres(),
-                             .follows_density = follows_density,
-                             .textured = textured,
-                             .is_borderless = in_time.is_borderless() || meeting.is_closed,
-                             .normals = source_of_normals(normals, clean)};
+  const PartitionedScan scan{
+      .unit = unit,
+      .points = points,
+      .mesh = mesh,
+      .sides = sides,
+      .scanned = clean.scanned.empty() ? points.positions : clean.scanned,
+      .measured = coarse || least > 0 ? points.size() : result.report.points,
+      .graph = graph,
+      .samples = samples,
+      .regions = regions,
+      .scalars = scalars,
+      .creases = meeting.creases ? &*meeting.creases : nullptr,
+      .border = meeting.border.get(),
+      .spheres = mesh.triangles.empty() ? nullptr : &in_time.spheres(),
+      .follows_density = follows_density,
+      .textured = textured,
+      .is_borderless = in_time.is_borderless() || meeting.is_closed,
+      .normals = source_of_normals(!normals.estimated, !clean.normals.empty())};
   RELIEF_TRY_ASSIGN(MeasuredModel made, make_best_model(scan, options, progress));
   result.report.fits = made.fits.fits;
   result.report.fits_replaced = made.fits.replaced;

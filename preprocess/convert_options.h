@@ -11,7 +11,7 @@ namespace relief {
 
 /// Which noise of the points is removed.
 enum class NoiseRemoval {
-  Default,     ///< of bare points, as measured; of meshes none
+  Default,     ///< of bare points, as measured, and of tiles, which have no faces; of meshes none
   None,        ///< none
   AsMeasured,  ///< as the scan shows it (estimate_noise)
   AsGiven,     ///< of ConvertOptions::noise everywhere
@@ -55,6 +55,12 @@ struct ConvertOptions {
   std::optional<glm::dvec3> up;  ///< how the model stands: any length but 0; none: as the scan says
   int threads = 0;               ///< 0: all cores. The result does not depend on it.
 };
+
+/// The noise to remove, world units; nothing if it is measured.
+[[nodiscard]] inline std::optional<double> given_noise(const ConvertOptions& options) {
+  if (options.noise_removal != NoiseRemoval::AsGiven) return std::nullopt;
+  return options.noise;
+}
 
 /// Statistics of a conversion.
 struct ConvertReport {

@@ -37,6 +37,11 @@ ResampleOptions resample_options(const ConvertOptions& options, bool seams, doub
           .seams = seams};
 }
 
+NormalSource source_of_normals(bool are_given, bool is_moved) {
+  if (are_given) return NormalSource::Points;
+  return is_moved ? NormalSource::FitsAndPoints : NormalSource::Fits;
+}
+
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
   for (const Patch& patch : patches) {
     report.colour_texels += patch.colours.texels.size();

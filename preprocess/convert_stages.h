@@ -21,6 +21,10 @@ Status check_spacing(double spacing, const Bounds& scan);
 [[nodiscard]] ResampleOptions resample_options(const ConvertOptions& options, bool seams,
                                                double spacing, NormalSource normals);
 
+/// Returns where samples take their normals from. `are_given`: the scan has normals; `is_moved`:
+/// its noise was removed.
+[[nodiscard]] NormalSource source_of_normals(bool are_given, bool is_moved);
+
 /// Adds the texel counts of the patches to a report.
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report);
 

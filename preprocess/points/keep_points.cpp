@@ -85,17 +85,23 @@ void add_normal(Points& points, std::uint32_t to, std::uint32_t from) {
   normal = is_finite(normal) ? normal + points.normals[from] : points.normals[from];
 }
 
+std::vector<std::uint32_t> indices_after(const std::vector<std::uint8_t>& dropped) {
+  std::vector<std::uint32_t> new_index(dropped.size(), kNoPoint);
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < dropped.size(); ++i) {
+    if (dropped[i] == 0) new_index[i] = kept++;
+  }
+  return new_index;
+}
+
 std::uint64_t drop_points(Points& points, const std::vector<std::uint8_t>& dropped) {
   std::vector<std::uint32_t> kept;
-  std::vector<std::uint32_t> new_index(points.size(), kNoPoint);
   kept.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (dropped[i] != 0) continue;
-    new_index[i] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(i);
+    if (dropped[i] == 0) kept.push_back(i);
   }
   const std::uint64_t count = points.size() - kept.size();
-  if (count > 0) keep_points(points, kept, new_index);
+  if (count > 0) keep_points(points, kept, indices_after(dropped));
   return count;
 }
 

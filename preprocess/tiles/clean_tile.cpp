@@ -1,15 +1,13 @@
 #include "preprocess/tiles/clean_tile.h"
 
 #include <algorithm>
-#include <map>
-#include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "common/neighbours/neighbours.h"
 #include "preprocess/noise/remove_noise.h"
 #include "preprocess/points/keep_points.h"
-#include "preprocess/points/no_point.h"
 #include "preprocess/points/stray_points.h"
 #include "preprocess/tiles/checkpoint.h"
 #include "preprocess/tiles/survey.h"
@@ -22,32 +20,13 @@ auto clean_fields(Clean& c) {
   return std::tie(c.stray, c.positions, c.normals, c.noise, c.moved, c.strays);
 }
 
-/// The new index of each point once some are dropped; kNoPoint for those.
-std::vector<std::uint32_t> indices_after(const std::vector<std::uint8_t>& dropped) {
-  std::vector<std::uint32_t> index;
-  index.reserve(dropped.size());
-  std::uint32_t kept = 0;
-  for (const std::uint8_t is_dropped : dropped)
-    index.push_back(is_dropped != 0 ? kNoPoint : kept++);
-  return index;
-}
-
-template <class T>
-void drop(const std::vector<std::uint8_t>& dropped, std::size_t first, std::vector<T>& values) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (dropped[first + i] == 0) values[kept++] = values[i];
-  }
-  values.resize(kept);
-}
-
 /// Drops points of a tile, and notes what became of its own.
 void drop_tile_points(const std::vector<std::uint8_t>& dropped, TilePoints& tile) {
   tile.number = indices_after(dropped);
   tile.number.resize(tile.own);
-  drop(dropped, tile.own, tile.home);
-  drop(dropped, 0, tile.scanned);
-  drop(dropped, 0, tile.smooth_normals);
+  drop_values(std::span(dropped).subspan(tile.own), tile.home);
+  drop_values(dropped, tile.scanned);
+  drop_values(dropped, tile.smooth_normals);
   drop_points(tile.points, dropped);
   tile.own = tile.points.size() - tile.home.size();
 }
@@ -67,9 +46,7 @@ CleanTile clean_tile(TilePoints tile, const ConvertOptions& options, Progress& p
   const std::vector<std::uint32_t> left = indices_after(stray);
   NoiselessPoints noiseless;
   if (options.noise_removal != NoiseRemoval::None) {
-    const bool is_given = options.noise_removal == NoiseRemoval::AsGiven;
-    noiseless = remove_noise(points.positions, graph.spacing,
-                             is_given ? std::optional(options.noise) : std::nullopt, progress);
+    noiseless = remove_noise(points.positions, graph.spacing, given_noise(options), progress);
   }
   if (progress.cancelled()) return clean;
   clean.noise = noiseless.report.noise;
@@ -92,8 +69,7 @@ CleanTile clean_tile(TilePoints tile, const ConvertOptions& options, Progress& p
 
 Status take_clean_points(TilePoints& tile, std::uint32_t own,
                          const std::function<Result<CleanTile>(std::uint32_t tile)>& load) {
-  std::map<std::uint32_t, std::vector<std::size_t>> by_home;
-  for (std::size_t h = 0; h < tile.home.size(); ++h) by_home[tile.home[h].tile].push_back(h);
+  auto by_home = halo_by_home(tile);
   by_home.try_emplace(own);
   std::vector<glm::dvec3> positions = tile.points.positions;
   std::vector<glm::vec3> normals(positions.size(), glm::vec3(0.0F));

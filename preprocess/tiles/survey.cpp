@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <optional>
 #include <tuple>
 
@@ -132,10 +131,8 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
 Result<std::vector<float>> halo_cosines(
     const TilePoints& tile,
     const std::function<Result<std::vector<float>>(std::uint32_t tile)>& load) {
-  std::map<std::uint32_t, std::vector<std::size_t>> by_home;
-  for (std::size_t h = 0; h < tile.home.size(); ++h) by_home[tile.home[h].tile].push_back(h);
   std::vector<float> cosines(tile.home.size());
-  for (const auto& [home, points] : by_home) {
+  for (const auto& [home, points] : halo_by_home(tile)) {
     RELIEF_TRY_ASSIGN(const auto of_home, load(home));
     for (const std::size_t h : points) cosines[h] = of_home[tile.home[h].point];
   }

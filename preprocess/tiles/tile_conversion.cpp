@@ -219,11 +219,9 @@ class TileConversion {
     });
     if (!cosines) return cosines.error();
     QuietProgress quiet(progress_);
-    ResampleOptions resampling =
-        resample_options(options_, seams_, spacing_,
-                         scan_.attributes.normals        ? NormalSource::Points
-                         : loaded.smooth_normals.empty() ? NormalSource::Fits
-                                                         : NormalSource::FitsAndPoints);
+    ResampleOptions resampling = resample_options(
+        options_, seams_, spacing_,
+        source_of_normals(scan_.attributes.normals, !loaded.smooth_normals.empty()));
     // Where patches that meet reach a tile's border, one cell of margin left pinholes.
     if (resampling.seams) resampling.overlap_cells = 2;
     TilePatches made = resample_tile({.points = std::move(loaded),

@@ -75,6 +75,12 @@ Status load_part(const fs::path& path, std::uint64_t count, const ScanAttributes
 
 }  // namespace
 
+std::map<std::uint32_t, std::vector<std::size_t>> halo_by_home(const TilePoints& tile) {
+  std::map<std::uint32_t, std::vector<std::size_t>> by_home;
+  for (std::size_t h = 0; h < tile.home.size(); ++h) by_home[tile.home[h].tile].push_back(h);
+  return by_home;
+}
+
 TileWriter::TileWriter(fs::path folder, const TileLayout& layout, ScanAttributes attributes)
     : layout_(layout),
       attributes_(std::move(attributes)),

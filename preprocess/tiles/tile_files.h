@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,10 @@ struct TilePoints {
   std::vector<glm::dvec3> scanned;
   std::vector<glm::vec3> smooth_normals;
 };
+
+/// Returns the halo's points by the tile that is their home, each as its index in the halo.
+[[nodiscard]] std::map<std::uint32_t, std::vector<std::size_t>> halo_by_home(
+    const TilePoints& tile);
 
 /// The number of points in a tile's files.
 struct TileCount {

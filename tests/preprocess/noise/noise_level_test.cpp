@@ -1,4 +1,4 @@
-// Noise is told from thin bodies and from detail.
+// How much noise is found on thin plates, beside thin parts, and where it varies.
 #include "preprocess/noise/noise_level.h"
 
 #include <gtest/gtest.h>

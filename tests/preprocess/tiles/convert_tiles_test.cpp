@@ -68,16 +68,10 @@ double share_facing(const PatchModel& model, const Surface& surface) {
 double rms_off(const test::Torus& torus, const PatchModel& model) {
   double sum = 0.0;
   std::size_t samples = 0;
-  for (const Patch& patch : model.patches) {
-    for (std::uint32_t j = 0; j < patch.height; ++j) {
-      for (std::uint32_t i = 0; i < patch.width; ++i) {
-        if (patch.at(i, j) == kHole) continue;
-        const double off = torus.distance(position_of(patch, i, j));
-        sum += off * off;
-        ++samples;
-      }
-    }
-  }
+  for_each_position(model.patches, [&](const glm::dvec3& p) {
+    sum += std::pow(torus.distance(p), 2.0);
+    ++samples;
+  });
   return std::sqrt(sum / static_cast<double>(samples));
 }
 
